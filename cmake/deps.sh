@@ -1,0 +1,32 @@
+#!/bin/sh
+# Installs what vndf builds with on Debian and Ubuntu; elsewhere says what to install. Does nothing where all is there.
+set -e
+packages="g++ cmake ninja-build libxsimd-dev libgtest-dev libbenchmark-dev"
+
+if ! command -v apt-get >/dev/null; then
+  cat >&2 <<'END'
+This script installs Debian and Ubuntu packages only. Please install, by your system's means:
+  a C++17 compiler (GCC 9 or Clang 10, or newer), CMake 3.25 or newer, Ninja
+  xsimd 8.1 to 14 (header-only)   https://github.com/xtensor-stack/xsimd
+  GoogleTest                      https://github.com/google/googletest
+  Google Benchmark                https://github.com/google/benchmark
+END
+  exit 2
+fi
+
+missing=""
+for package in $packages; do
+  dpkg-query -W -f '${Status}\n' "$package" 2>/dev/null | grep -q 'install ok installed' || missing="$missing $package"
+done
+[ -n "$missing" ] || exit 0
+
+as_root=""
+if [ "$(id -u)" -ne 0 ]; then
+  command -v sudo >/dev/null || { echo "Run as root, or install:$missing" >&2; exit 2; }
+  as_root=sudo
+fi
+echo "Installing:$missing"
+$as_root apt-get update -qq
+# Word splitting is meant: one argument a package.
+# shellcheck disable=SC2086
+DEBIAN_FRONTEND=noninteractive $as_root apt-get install -y -qq --no-install-recommends $missing

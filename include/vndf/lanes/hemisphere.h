@@ -1,0 +1,110 @@
+// The stages of Heitz 2018 between the disk and the normal: the hemisphere configuration (section 3.2), the squish and
+// the reprojection (sections 4.2 and 4.3), the way back (section 3.4).
+#pragma once
+
+#include <vndf/lanes/disk.h>
+
+namespace vndf::lanes {
+inline namespace VNDF_LANES_BUILD {
+
+template <class F>
+struct Vec3 {
+  F x, y, z;
+};
+
+/// The view in the hemisphere configuration, Vh = A V / |A V|, with its azimuth and its elevation apart.
+template <class F>
+struct HemisphereView {
+  F x, y;         // direction of (Vh.x, Vh.y), scaled by an exact power of two that keeps r2 near 2^40
+  F r2;           // x^2 + y^2
+  F inv_length;   // 1 / |A V| in the same scale: sqrt(1 - Vh.z^2) = sqrt(r2) inv_length
+  F z;            // Vh.z
+  F one_plus_z;   // each to full relative accuracy, whichever of them is
+  F one_minus_z;  // the small one
+};
+
+/// Section 3.2, eq. 5.
+///
+/// Scaling by a power of two is exact, takes views of any length and lets near-normal views, whose azimuth components
+/// would square to nothing, keep them. A tangent under 2^-32 is taken as 2^-32 and changes no normal by more than
+/// 2^-32; azimuth components under 2^-100 are taken as the x axis. 1 - |z| = r2 / (len (len + |z| len)), no difference
+/// taken.
+template <class F>
+VNDF_INLINE HemisphereView<F> map_to_hemisphere(Vec3<F> wo, Vec2<F> alpha) {
+  constexpr float kSmallest = 0x1p-100f, kUnit = 0x1p20f, kLongest = 0x1p52f;
+  F hx = alpha.x * wo.x;
+  F hy = alpha.y * wo.y;
+  Int<F> larger = op::max(op::bits(op::abs(hx)), op::bits(op::abs(hy)));
+  Int<F> exponent = op::max(larger, Int<F>(0x0d800000)) & Int<F>(0x7f800000);  // at least kSmallest
+  F scale = op::from_bits(Int<F>(std::int32_t(0x89000000u)) - exponent);       // kUnit / 2^exponent
+  F x = op::select(op::from_bits(exponent) > F(kSmallest), hx * scale, F(kUnit));
+  F y = hy * scale;
+  F abs_z = op::abs(wo.z * scale);
+  abs_z = op::select(abs_z > F(kLongest), F(kLongest), abs_z);
+
+  F r2 = x * x + y * y;
+  F length = op::sqrt(r2 + abs_z * abs_z);
+  F sum = length + abs_z;
+  F inv = F(1.f) / (length * sum);
+  F inv_length = sum * inv;
+  F cos = abs_z * inv_length;
+  F large = F(1.f) + cos;
+  F small = r2 * inv;
+  auto below = wo.z < F(0.f);
+  return {x,
+          y,
+          r2,
+          inv_length,
+          op::with_sign_of(cos, wo.z),
+          op::select(below, small, large),
+          op::select(below, large, small)};
+}
+
+/// The disk point after the squish, times 2 d (see Chord), and what the reprojection needs of its height.
+template <class F>
+struct Squished {
+  F across, along;  // 2 d t1, 2 d t2'
+  F height2;        // (2 d)^2 (1 - t1^2 - t2'^2)
+  F lift;           // (1 + z) top
+};
+
+/// Section 4.2, eq. 11: t2' = (1 - s) w + s t2, which is (bottom - z top) / 2 d.
+///
+/// 1 - t1^2 - t2'^2 = s e + ((1 - z^2) / 4) (w - t2)^2 is a sum of positive terms, and the points where it vanishes are
+/// those of the rim.
+template <class F>
+VNDF_INLINE Squished<F> squish(const HemisphereView<F>& view, const Chord<F>& t) {
+  F lift = view.one_plus_z * t.top;
+  F drop = view.one_minus_z * t.top;
+  return {t.across, (t.bottom - t.top) + drop, lift * ((t.bottom + t.bottom) + drop), lift};
+}
+
+/// Section 4.3, eq. 12-13: Nh = t1 T1 + t2' T2 + sqrt(1 - t1^2 - t2'^2) Vh with T1 = (-Vh.y, Vh.x, 0) / |.| and
+/// T2 = Vh x T1, up to a positive factor.
+///
+/// The third component, sqrt(1 - z^2) t2' + z sqrt(...), is written as a quotient of sums of positive terms, and the
+/// whole vector scaled by the denominator: nothing cancels at the horizon, where small alpha would magnify it.
+template <class F>
+VNDF_INLINE Vec3<F> reproject(const HemisphereView<F>& view, const Chord<F>& t, const Squished<F>& p) {
+  F height = op::sqrt(view.r2 * p.height2);
+  F denominator = height + (view.r2 * view.inv_length) * t.top;
+  F rise = height * view.inv_length;  // sqrt(1 - z^2) times the height
+  F toward = rise - view.z * p.along;
+  return {denominator * (toward * view.x - p.across * view.y), denominator * (toward * view.y + p.across * view.x),
+          (view.r2 * t.bottom) * (view.one_plus_z * p.lift + rise)};
+}
+
+/// Section 3.4, eq. 6: Ne = A Nh / |A Nh|, for Nh of any length up to 2^60.
+///
+/// The addend is far below the rounding of any Nh that has a direction; one that has none becomes +z.
+template <class F>
+VNDF_INLINE Vec3<F> map_from_hemisphere(Vec3<F> nh, Vec2<F> alpha) {
+  F x = alpha.x * nh.x;
+  F y = alpha.y * nh.y;
+  F z = nh.z + F(0x1p-62f);
+  F inv = F(1.f) / op::sqrt((x * x + y * y) + z * z);
+  return {x * inv, y * inv, z * inv};
+}
+
+}  // namespace VNDF_LANES_BUILD
+}  // namespace vndf::lanes

@@ -1,0 +1,112 @@
+// Picks the instruction set at run time and forwards the public functions to its kernels. Sees no SIMD type.
+#include <atomic>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include "kernel_table.h"
+
+namespace vndf {
+
+// One line per row of cmake/isa.cmake: VNDF_ISA(name, supported).
+#define VNDF_ISA(name, supported) extern const KernelTable kernels_##name;
+#include "isa_rows.h"
+#undef VNDF_ISA
+
+namespace {
+
+struct Implementation {
+  const char* name;
+  bool (*supported)();
+  const KernelTable* kernels;
+};
+
+#define VNDF_ISA(name, supported) {#name, +[]() -> bool { return supported; }, &kernels_##name},
+constexpr Implementation kImplementations[] = {
+#include "isa_rows.h"
+};
+#undef VNDF_ISA
+
+constexpr std::size_t kCount = sizeof kImplementations / sizeof kImplementations[0];
+
+std::atomic<const Implementation*> chosen{nullptr};
+
+IsaError find(const char* name, const Implementation*& found) noexcept {
+  for (const Implementation& candidate : kImplementations)
+    if (name && std::strcmp(name, candidate.name) == 0) {
+      if (!candidate.supported()) return IsaError::unsupported;
+      found = &candidate;
+      return IsaError::none;
+    }
+  return IsaError::unknown;
+}
+
+const Implementation* choose() noexcept {
+  const Implementation* best = &kImplementations[0];
+  for (const Implementation& candidate : kImplementations)
+    if (candidate.supported()) best = &candidate;
+  bool complain = false;
+  IsaError error = IsaError::none;
+  const char* name = std::getenv("VNDF_ISA");
+  if (name && *name) {
+    error = find(name, best);
+    complain = error != IsaError::none;
+  }
+  // Threads that come here together agree on one choice, and the one that made it speaks.
+  const Implementation* expected = nullptr;
+  if (!chosen.compare_exchange_strong(expected, best, std::memory_order_acq_rel)) return expected;
+  if (complain) std::fprintf(stderr, "vndf: VNDF_ISA=%s ignored, using %s: %s\n", name, best->name, message(error));
+  return best;
+}
+
+const Implementation& active() noexcept {
+  const Implementation* implementation = chosen.load(std::memory_order_acquire);
+  return implementation ? *implementation : *choose();
+}
+
+}  // namespace
+
+void sample_normals(Warp warp, std::size_t count, const Columns3& wo, const Columns2& alpha, const Columns2& u,
+                    const Out3& wm) noexcept {
+  active().kernels->sample_normals[static_cast<int>(warp)](count, wo, alpha, u, wm);
+}
+
+void sample_disk(DiskMap map, std::size_t count, const Columns2& u, const Out2& t) noexcept {
+  active().kernels->sample_disk[static_cast<int>(map)](count, u, t);
+}
+
+Isas isas() noexcept {
+  struct List {
+    Isa rows[kCount];
+    List() {
+      for (std::size_t i = 0; i < kCount; ++i) rows[i] = {kImplementations[i].name, kImplementations[i].supported()};
+    }
+  };
+  static const List list;
+  return {list.rows, list.rows + kCount};
+}
+
+const char* active_isa() noexcept {
+  return active().name;
+}
+
+IsaError set_isa(const char* name) noexcept {
+  const Implementation* found = nullptr;
+  IsaError error = find(name, found);
+  if (error == IsaError::none) chosen.store(found, std::memory_order_release);
+  return error;
+}
+
+const char* message(IsaError error) noexcept {
+  switch (error) {
+    case IsaError::none:
+      return "no error";
+    case IsaError::unknown:
+      return "no such instruction set; compiled in:" VNDF_ISA_NAMES;
+    case IsaError::unsupported:
+      return "this processor or operating system does not support it; vndf::isas() lists what they support";
+  }
+  return "not an error of this library";
+}
+
+}  // namespace vndf

@@ -1,0 +1,14 @@
+// The boundary between instruction sets: what kernels.cpp, compiled once for each, gives dispatch.cpp.
+#pragma once
+
+#include <vndf/vndf.h>
+
+namespace vndf {
+
+struct KernelTable {
+  void (*sample_normals[3])(std::size_t count, const Columns3& wo, const Columns2& alpha, const Columns2& u,
+                            const Out3& wm) noexcept;
+  void (*sample_disk[2])(std::size_t count, const Columns2& u, const Out2& t) noexcept;
+};
+
+}  // namespace vndf
