@@ -14,24 +14,24 @@ using lanes::Vec3;
 
 // Columns of the sampling functions, in the order they are passed to for_each_block.
 using SampleInputs = Inputs<7>;
-VNDF_INLINE Vec3<F> load_wo(const SampleInputs& in, std::size_t lane) {
-  return {in.load<0>(lane), in.load<1>(lane), in.load<2>(lane)};
+VNDF_INLINE Vec3<F> load_wo(const SampleInputs& in, std::size_t i) {
+  return {in.load<0>(i), in.load<1>(i), in.load<2>(i)};
 }
-VNDF_INLINE Vec2<F> load_alpha(const SampleInputs& in, std::size_t lane) {
-  return {in.load<3>(lane), in.load<4>(lane)};
+VNDF_INLINE Vec2<F> load_alpha(const SampleInputs& in, std::size_t i) {
+  return {in.load<3>(i), in.load<4>(i)};
 }
-VNDF_INLINE Vec2<F> load_u(const SampleInputs& in, std::size_t lane) {
-  return {in.load<5>(lane), in.load<6>(lane)};
+VNDF_INLINE Vec2<F> load_u(const SampleInputs& in, std::size_t i) {
+  return {in.load<5>(i), in.load<6>(i)};
 }
 
-VNDF_INLINE void store(const Vec2<F>& v, float* const (&out)[2], std::size_t lane) {
-  lanes::op::store(v.x, out[0] + lane);
-  lanes::op::store(v.y, out[1] + lane);
+VNDF_INLINE void store(const Vec2<F>& v, float* const (&out)[2], std::size_t i) {
+  lanes::op::store(v.x, out[0] + i);
+  lanes::op::store(v.y, out[1] + i);
 }
-VNDF_INLINE void store(const Vec3<F>& v, float* const (&out)[3], std::size_t lane) {
-  lanes::op::store(v.x, out[0] + lane);
-  lanes::op::store(v.y, out[1] + lane);
-  lanes::op::store(v.z, out[2] + lane);
+VNDF_INLINE void store(const Vec3<F>& v, float* const (&out)[3], std::size_t i) {
+  lanes::op::store(v.x, out[0] + i);
+  lanes::op::store(v.y, out[1] + i);
+  lanes::op::store(v.z, out[2] + i);
 }
 
 template <DiskMap map>
@@ -48,17 +48,26 @@ void sample_normals_on_disk(std::size_t count, const Columns3& wo, const Columns
   Staged<Vec3<F>> normals;
   for_each_block<7, 3>(
       count, {wo.x, wo.y, wo.z, alpha.x, alpha.y, u.x, u.y}, {wm.x, wm.y, wm.z},
-      [&](const SampleInputs& in, float* const(&out)[3], std::size_t lanes) VNDF_INLINE_LAMBDA {
-        stage(lanes, [&](std::size_t i) VNDF_INLINE_LAMBDA { points.store(i, map_disk<map>(load_u(in, i))); });
-        stage(lanes, [&](std::size_t i) VNDF_INLINE_LAMBDA { chords.store(i, chord(points.load(i))); });
-        stage(lanes, [&](std::size_t i)
-                         VNDF_INLINE_LAMBDA { views.store(i, map_to_hemisphere(load_wo(in, i), load_alpha(in, i))); });
-        stage(lanes, [&](std::size_t i) VNDF_INLINE_LAMBDA {
+      [&](const SampleInputs& in, float* const(&out)[3], std::size_t begin, std::size_t end) VNDF_INLINE_LAMBDA {
+        if (end - begin <= kShort) {
+          stage(begin, end, [&](std::size_t i) VNDF_INLINE_LAMBDA {
+            auto t = chord(map_disk<map>(load_u(in, i)));
+            auto view = map_to_hemisphere(load_wo(in, i), load_alpha(in, i));
+            store(map_from_hemisphere(reproject(view, t, squish(view, t)), load_alpha(in, i)), out, i);
+          });
+          return;
+        }
+        stage(begin, end, [&](std::size_t i) VNDF_INLINE_LAMBDA { points.store(i, map_disk<map>(load_u(in, i))); });
+        stage(begin, end, [&](std::size_t i) VNDF_INLINE_LAMBDA { chords.store(i, chord(points.load(i))); });
+        stage(begin, end, [&](std::size_t i) VNDF_INLINE_LAMBDA {
+          views.store(i, map_to_hemisphere(load_wo(in, i), load_alpha(in, i)));
+        });
+        stage(begin, end, [&](std::size_t i) VNDF_INLINE_LAMBDA {
           auto view = views.load(i);
           auto t = chords.load(i);
           normals.store(i, reproject(view, t, squish(view, t)));
         });
-        stage(lanes, [&](std::size_t i) VNDF_INLINE_LAMBDA {
+        stage(begin, end, [&](std::size_t i) VNDF_INLINE_LAMBDA {
           store(map_from_hemisphere(normals.load(i), load_alpha(in, i)), out, i);
         });
       });
@@ -68,24 +77,26 @@ void sample_normals_on_cap(std::size_t count, const Columns3& wo, const Columns2
                            const Out3& wm) noexcept {
   Staged<Vec3<F>> normals;
   for_each_block<7, 3>(count, {wo.x, wo.y, wo.z, alpha.x, alpha.y, u.x, u.y}, {wm.x, wm.y, wm.z},
-                       [&](const SampleInputs& in, float* const(&out)[3], std::size_t lanes) VNDF_INLINE_LAMBDA {
-                         stage(lanes, [&](std::size_t i) VNDF_INLINE_LAMBDA {
-                           normals.store(i, sample_cap(load_wo(in, i), load_alpha(in, i), load_u(in, i)));
-                         });
-                         stage(lanes, [&](std::size_t i) VNDF_INLINE_LAMBDA {
-                           store(map_from_hemisphere(normals.load(i), load_alpha(in, i)), out, i);
-                         });
-                       });
+                       [&](const SampleInputs& in, float* const(&out)[3], std::size_t begin, std::size_t end)
+                           VNDF_INLINE_LAMBDA {
+                             stage(begin, end, [&](std::size_t i) VNDF_INLINE_LAMBDA {
+                               normals.store(i, sample_cap(load_wo(in, i), load_alpha(in, i), load_u(in, i)));
+                             });
+                             stage(begin, end, [&](std::size_t i) VNDF_INLINE_LAMBDA {
+                               store(map_from_hemisphere(normals.load(i), load_alpha(in, i)), out, i);
+                             });
+                           });
 }
 
 template <DiskMap map>
 void sample_disk_points(std::size_t count, const Columns2& u, const Out2& t) noexcept {
   for_each_block<2, 2>(count, {u.x, u.y}, {t.x, t.y},
-                       [&](const Inputs<2>& in, float* const(&out)[2], std::size_t lanes) VNDF_INLINE_LAMBDA {
-                         stage(lanes, [&](std::size_t i) VNDF_INLINE_LAMBDA {
-                           store(cartesian(map_disk<map>({in.load<0>(i), in.load<1>(i)})), out, i);
-                         });
-                       });
+                       [&](const Inputs<2>& in, float* const(&out)[2], std::size_t begin, std::size_t end)
+                           VNDF_INLINE_LAMBDA {
+                             stage(begin, end, [&](std::size_t i) VNDF_INLINE_LAMBDA {
+                               store(cartesian(map_disk<map>({in.load<0>(i), in.load<1>(i)})), out, i);
+                             });
+                           });
 }
 
 }  // namespace
