@@ -11,7 +11,8 @@ function(vndf_isa name)
   add_library(vndf_${name} OBJECT src/kernels.cpp)
   target_link_libraries(vndf_${name} PRIVATE vndf::lanes)
   # GCC's own AVX-512 header sets off -Wmaybe-uninitialized (its _mm512_undefined_ps reads an uninitialized variable).
-  target_compile_options(vndf_${name} PRIVATE ${vndf_compile_options} -Wno-maybe-uninitialized ${row_FLAGS})
+  target_compile_options(vndf_${name} PRIVATE ${vndf_compile_options} ${row_FLAGS}
+                         $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   # The lane functions and xsimd's own land in namespaces of this set, so that no linker can mistake one set's copy of an
   # inline function for another's; see check_symbols.cmake.
   target_compile_definitions(vndf_${name} PRIVATE VNDF_BATCH=${row_BATCH} VNDF_TABLE=kernels_${name}

@@ -14,9 +14,6 @@ constexpr std::size_t kWidth = vndf::lanes::kWidth<F>;
 /// Lanes of a block: its columns and what its stages hand one another fit into 32 KiB.
 constexpr std::size_t kBlock = 256;
 
-/// A block this short goes through all stages at once: there is nothing to overlap, and staging has its price.
-constexpr std::size_t kShort = kWidth;
-
 /// The inputs of a kernel: columns, or constants that are a vector wide and do not advance.
 template <std::size_t N>
 struct Inputs {
@@ -33,13 +30,13 @@ struct Inputs {
 /// kBlock more and a multiple of the vector width. What is left over goes through a padded copy, in a block of its own.
 template <std::size_t N, std::size_t M, class Block>
 VNDF_INLINE void for_each_block(std::size_t count, const vndf::Column (&columns)[N], float* const (&out)[M],
-                                Block block) {
+                                Block& block) {
   alignas(64) float constants[N][kWidth];
   Inputs<N> in;
   for (std::size_t c = 0; c < N; ++c) {
-    bool constant = columns[c].data() == nullptr;
-    if (constant) vndf::lanes::op::store(F(columns[c].value()), constants[c]);
-    in.column[c] = constant ? constants[c] : columns[c].data();
+    bool constant = columns[c].data == nullptr;
+    if (constant) vndf::lanes::op::store(F(columns[c].value), constants[c]);
+    in.column[c] = constant ? constants[c] : columns[c].data;
     in.advance[c] = constant ? 0 : ~std::size_t(0);
   }
 
@@ -85,11 +82,5 @@ class Staged {
   static constexpr std::size_t kMembers = sizeof(T) / sizeof(F);
   alignas(64) float lanes_[kMembers][kBlock];
 };
-
-/// One stage: f(i) for the first index of each vector from `begin` to `end`.
-template <class Stage>
-VNDF_INLINE void stage(std::size_t begin, std::size_t end, Stage f) {
-  for (std::size_t i = begin; i < end; i += kWidth) f(i);
-}
 
 }  // namespace

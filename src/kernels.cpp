@@ -12,7 +12,7 @@ using namespace vndf;
 using lanes::Vec2;
 using lanes::Vec3;
 
-// Columns of the sampling functions, in the order they are passed to for_each_block.
+// The columns of the sampling functions, in the order in which sample() passes them on.
 using SampleInputs = Inputs<7>;
 VNDF_INLINE Vec3<F> load_wo(const SampleInputs& in, std::size_t i) {
   return {in.load<0>(i), in.load<1>(i), in.load<2>(i)};
@@ -40,63 +40,66 @@ VNDF_INLINE lanes::DiskPoint<F> map_disk(Vec2<F> u) {
 }
 
 template <DiskMap map>
-void sample_normals_on_disk(std::size_t count, const Columns3& wo, const Columns2& alpha, const Columns2& u,
-                            const Out3& wm) noexcept {
+struct NormalsOnDisk {
   Staged<lanes::DiskPoint<F>> points;
   Staged<lanes::Chord<F>> chords;
   Staged<lanes::HemisphereView<F>> views;
   Staged<Vec3<F>> normals;
-  for_each_block<7, 3>(
-      count, {wo.x, wo.y, wo.z, alpha.x, alpha.y, u.x, u.y}, {wm.x, wm.y, wm.z},
-      [&](const SampleInputs& in, float* const(&out)[3], std::size_t begin, std::size_t end) VNDF_INLINE_LAMBDA {
-        if (end - begin <= kShort) {
-          stage(begin, end, [&](std::size_t i) VNDF_INLINE_LAMBDA {
-            auto t = chord(map_disk<map>(load_u(in, i)));
-            auto view = map_to_hemisphere(load_wo(in, i), load_alpha(in, i));
-            store(map_from_hemisphere(reproject(view, t, squish(view, t)), load_alpha(in, i)), out, i);
-          });
-          return;
-        }
-        stage(begin, end, [&](std::size_t i) VNDF_INLINE_LAMBDA { points.store(i, map_disk<map>(load_u(in, i))); });
-        stage(begin, end, [&](std::size_t i) VNDF_INLINE_LAMBDA { chords.store(i, chord(points.load(i))); });
-        stage(begin, end, [&](std::size_t i) VNDF_INLINE_LAMBDA {
-          views.store(i, map_to_hemisphere(load_wo(in, i), load_alpha(in, i)));
-        });
-        stage(begin, end, [&](std::size_t i) VNDF_INLINE_LAMBDA {
-          auto view = views.load(i);
-          auto t = chords.load(i);
-          normals.store(i, reproject(view, t, squish(view, t)));
-        });
-        stage(begin, end, [&](std::size_t i) VNDF_INLINE_LAMBDA {
-          store(map_from_hemisphere(normals.load(i), load_alpha(in, i)), out, i);
-        });
-      });
-}
 
-void sample_normals_on_cap(std::size_t count, const Columns3& wo, const Columns2& alpha, const Columns2& u,
-                           const Out3& wm) noexcept {
+  VNDF_INLINE void operator()(const SampleInputs& in, float* const (&wm)[3], std::size_t begin, std::size_t end) {
+    if (end - begin == kWidth) {
+      auto t = chord(map_disk<map>(load_u(in, begin)));
+      store(sample_normal_on_chord(load_wo(in, begin), load_alpha(in, begin), t), wm, begin);
+      return;
+    }
+    for (std::size_t i = begin; i < end; i += kWidth) points.store(i, map_disk<map>(load_u(in, i)));
+    for (std::size_t i = begin; i < end; i += kWidth) chords.store(i, chord(points.load(i)));
+    for (std::size_t i = begin; i < end; i += kWidth)
+      views.store(i, map_to_hemisphere(load_wo(in, i), load_alpha(in, i)));
+    for (std::size_t i = begin; i < end; i += kWidth) {
+      auto view = views.load(i);
+      auto t = chords.load(i);
+      normals.store(i, reproject(view, t, squish(view, t)));
+    }
+    for (std::size_t i = begin; i < end; i += kWidth)
+      store(map_from_hemisphere(normals.load(i), load_alpha(in, i)), wm, i);
+  }
+};
+
+struct NormalsOnCap {
   Staged<Vec3<F>> normals;
-  for_each_block<7, 3>(count, {wo.x, wo.y, wo.z, alpha.x, alpha.y, u.x, u.y}, {wm.x, wm.y, wm.z},
-                       [&](const SampleInputs& in, float* const(&out)[3], std::size_t begin, std::size_t end)
-                           VNDF_INLINE_LAMBDA {
-                             stage(begin, end, [&](std::size_t i) VNDF_INLINE_LAMBDA {
-                               normals.store(i, sample_cap(load_wo(in, i), load_alpha(in, i), load_u(in, i)));
-                             });
-                             stage(begin, end, [&](std::size_t i) VNDF_INLINE_LAMBDA {
-                               store(map_from_hemisphere(normals.load(i), load_alpha(in, i)), out, i);
-                             });
-                           });
+
+  VNDF_INLINE void operator()(const SampleInputs& in, float* const (&wm)[3], std::size_t begin, std::size_t end) {
+    if (end - begin == kWidth) {
+      store(sample_normal_cap(load_wo(in, begin), load_alpha(in, begin), load_u(in, begin)), wm, begin);
+      return;
+    }
+    for (std::size_t i = begin; i < end; i += kWidth)
+      normals.store(i, sample_cap(load_wo(in, i), load_alpha(in, i), load_u(in, i)));
+    for (std::size_t i = begin; i < end; i += kWidth)
+      store(map_from_hemisphere(normals.load(i), load_alpha(in, i)), wm, i);
+  }
+};
+
+template <class Kernel>
+void sample_normals(std::size_t count, const Columns3& wo, const Columns2& alpha, const Columns2& u,
+                    const Out3& wm) noexcept {
+  Kernel kernel;
+  for_each_block<7, 3>(count, {wo.x, wo.y, wo.z, alpha.x, alpha.y, u.x, u.y}, {wm.x, wm.y, wm.z}, kernel);
 }
 
 template <DiskMap map>
-void sample_disk_points(std::size_t count, const Columns2& u, const Out2& t) noexcept {
-  for_each_block<2, 2>(count, {u.x, u.y}, {t.x, t.y},
-                       [&](const Inputs<2>& in, float* const(&out)[2], std::size_t begin, std::size_t end)
-                           VNDF_INLINE_LAMBDA {
-                             stage(begin, end, [&](std::size_t i) VNDF_INLINE_LAMBDA {
-                               store(cartesian(map_disk<map>({in.load<0>(i), in.load<1>(i)})), out, i);
-                             });
-                           });
+struct DiskPoints {
+  VNDF_INLINE void operator()(const Inputs<2>& u, float* const (&t)[2], std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; i += kWidth)
+      store(cartesian(map_disk<map>({u.load<0>(i), u.load<1>(i)})), t, i);
+  }
+};
+
+template <DiskMap map>
+void sample_disk(std::size_t count, const Columns2& u, const Out2& t) noexcept {
+  DiskPoints<map> kernel;
+  for_each_block<2, 2>(count, {u.x, u.y}, {t.x, t.y}, kernel);
 }
 
 }  // namespace
@@ -105,8 +108,9 @@ namespace vndf {
 
 extern const KernelTable VNDF_TABLE;
 const KernelTable VNDF_TABLE = {
-    {sample_normals_on_disk<DiskMap::polar>, sample_normals_on_disk<DiskMap::concentric>, sample_normals_on_cap},
-    {sample_disk_points<DiskMap::polar>, sample_disk_points<DiskMap::concentric>},
+    {::sample_normals<NormalsOnDisk<DiskMap::polar>>, ::sample_normals<NormalsOnDisk<DiskMap::concentric>>,
+     ::sample_normals<NormalsOnCap>},
+    {::sample_disk<DiskMap::polar>, ::sample_disk<DiskMap::concentric>},
 };
 
 }  // namespace vndf

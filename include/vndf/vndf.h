@@ -27,19 +27,12 @@ namespace vndf {
 
 /// An input column: `count` floats, or one value for the whole batch (a material's alpha, a directional camera). The
 /// two give the same bits as each other; a constant saves the reads. The floats must outlive the call only.
-class Column {
- public:
-  constexpr Column(const float* column) noexcept : column_(column), value_(0.f) {}
-  constexpr Column(float value) noexcept : column_(nullptr), value_(value) {}
+struct Column {
+  const float* data;  ///< `count` floats, or a null pointer for a constant
+  float value;        ///< the constant, where data is null
 
-  /// The column, or a null pointer for a constant.
-  constexpr const float* data() const noexcept { return column_; }
-  /// The constant, where data() is null.
-  constexpr float value() const noexcept { return value_; }
-
- private:
-  const float* column_;
-  float value_;
+  constexpr Column(const float* column) noexcept : data(column), value(0.f) {}
+  constexpr Column(float constant) noexcept : data(nullptr), value(constant) {}
 };
 
 /// Two columns: a pair of random numbers, or alpha_x and alpha_y.

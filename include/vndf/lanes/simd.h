@@ -31,7 +31,6 @@
 #endif
 
 #define VNDF_INLINE inline __attribute__((always_inline))
-#define VNDF_INLINE_LAMBDA __attribute__((always_inline))
 
 namespace vndf::lanes {
 inline namespace VNDF_LANES_BUILD {
