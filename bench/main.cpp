@@ -1,0 +1,143 @@
+// vndf_bench: throughput of the library, its peers and a plain copy, on Google Benchmark.
+//
+// Names: <operation>/<warp>/<isa>/<input>/<count>, e.g. sample_normals/polar/avx512/camera/4096. A peer's name stands
+// for its operation. Counters: items_per_second (samples) and ns_per_sample.
+#include <benchmark/benchmark.h>
+
+#include <cstring>
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <vndf/vndf.h>
+
+#include "inputs.h"
+#include "peers.h"
+
+// One line per instruction set of the library: VNDF_COPY(isa).
+using CopyFunction = void(std::size_t count, const float* const in[7], float* const out[3]);
+#define VNDF_COPY(isa) CopyFunction copy_plain_##isa, copy_streaming_##isa;
+#include "copies.h"
+#undef VNDF_COPY
+
+namespace {
+
+/// One call on all of a batch.
+using Call = std::function<void(const bench::Batch&)>;
+
+struct Operation {
+  std::string name;  // <operation>/<warp>/<isa>
+  const char* isa;   // to set in the library, or null
+  Call call;
+};
+
+struct Data {
+  const char* input;
+  std::size_t count;
+};
+constexpr Data kData[] = {{"camera", 16},      {"camera", 4096},  {"camera_unaligned", 4096},
+                          {"camera", 4194304}, {"uniform", 4096}, {"uniform", 4194304}};
+
+/// Batches live as long as the program: benchmarks may be repeated and interleaved.
+const bench::Batch& batch_of(const Data& data) {
+  static std::map<std::pair<std::string, std::size_t>, bench::Batch> batches;
+  auto [entry, missing] = batches.try_emplace({data.input, data.count});
+  if (missing) entry->second = bench::make_batch(data.input, data.count);
+  return entry->second;
+}
+
+void measure(benchmark::State& state, const Call& call, const bench::Batch& batch) {
+  for (auto _ : state) {
+    call(batch);
+    benchmark::ClobberMemory();  // the arena escaped when it was allocated: its contents count as used
+  }
+  double samples = static_cast<double>(state.iterations()) * static_cast<double>(batch.count);
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(batch.count));
+  using benchmark::Counter;
+  state.counters["ns_per_sample"] = Counter(samples * 1e-9, Counter::kIsRate | Counter::kInvert);
+}
+
+void set_isa(benchmark::State& state, const char* isa) {
+  if (isa && vndf::set_isa(isa) != vndf::IsaError::none) state.SkipWithError("instruction set refused");
+}
+
+Call sample_normals(vndf::Warp warp) {
+  return [warp](const bench::Batch& b) {
+    vndf::sample_normals(warp, b.count, {b.in[0], b.in[1], b.in[2]}, {b.in[3], b.in[4]}, {b.in[5], b.in[6]},
+                         {b.out[0], b.out[1], b.out[2]});
+  };
+}
+
+Call sample_disk(vndf::DiskMap map) {
+  return [map](const bench::Batch& b) { vndf::sample_disk(map, b.count, {b.in[5], b.in[6]}, {b.out[0], b.out[1]}); };
+}
+
+Call columns(CopyFunction* function) {
+  return [function](const bench::Batch& b) { function(b.count, b.in.data(), b.out.data()); };
+}
+
+std::vector<Operation> operations() {
+  std::vector<Operation> all;
+  auto supported = [](const char* name) {
+    for (const vndf::Isa& isa : vndf::isas())
+      if (isa.supported && std::strcmp(isa.name, name) == 0) return true;
+    return false;
+  };
+  for (const peers::Peer& peer : peers::peers())
+    if (peer.supported)
+      all.push_back({std::string(peer.name) + "/" + peer.warp + "/" + peer.isa, nullptr, columns(peer.sample)});
+  for (const vndf::Isa& isa : vndf::isas()) {
+    if (!isa.supported) continue;
+    auto add = [&](const char* name, Call call) {
+      all.push_back({std::string(name) + "/" + isa.name, isa.name, std::move(call)});
+    };
+    add("sample_normals/polar", sample_normals(vndf::Warp::polar));
+    add("sample_normals/concentric", sample_normals(vndf::Warp::concentric));
+    add("sample_normals/spherical_cap", sample_normals(vndf::Warp::spherical_cap));
+    add("sample_disk/polar", sample_disk(vndf::DiskMap::polar));
+    add("sample_disk/concentric", sample_disk(vndf::DiskMap::concentric));
+  }
+#define VNDF_COPY(isa)                                                               \
+  if (supported(#isa)) {                                                             \
+    all.push_back({"copy/plain/" #isa, nullptr, columns(copy_plain_##isa)});         \
+    all.push_back({"copy/streaming/" #isa, nullptr, columns(copy_streaming_##isa)}); \
+  }
+#include "copies.h"
+#undef VNDF_COPY
+  return all;
+}
+
+void register_benchmarks() {
+  const std::vector<Operation> all = operations();
+  for (const Data& data : kData)
+    for (const Operation& operation : all) {
+      bool aligned_only = operation.name.rfind("copy/streaming", 0) == 0;
+      if (aligned_only && std::strcmp(data.input, "camera_unaligned") == 0) continue;
+      std::string name = operation.name + "/" + data.input + "/" + std::to_string(data.count);
+      benchmark::RegisterBenchmark(name.c_str(), [operation, data](benchmark::State& state) {
+        set_isa(state, operation.isa);
+        measure(state, operation.call, batch_of(data));
+      });
+    }
+
+  // Two threads, each on columns of its own, on the best set. Real time: the processor times of two threads add up.
+  const char* best = vndf::active_isa();
+  std::string name = std::string("sample_normals/polar/") + best + "/camera/4096";
+  auto two_threads = [best](benchmark::State& state) {
+    set_isa(state, best);
+    measure(state, sample_normals(vndf::Warp::polar), bench::make_batch("camera", 4096));
+  };
+  benchmark::RegisterBenchmark(name.c_str(), two_threads)->Threads(2)->UseRealTime();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  register_benchmarks();
+  if (benchmark::RunSpecifiedBenchmarks() == 0) return 2;  // it has said that the filter matches nothing
+  benchmark::Shutdown();
+}
