@@ -31,13 +31,13 @@ struct HemisphereView {
 /// taken.
 template <class F>
 VNDF_INLINE HemisphereView<F> map_to_hemisphere(Vec3<F> wo, Vec2<F> alpha) {
-  constexpr float kSmallest = 0x1p-100f, kUnit = 0x1p20f, kLongest = 0x1p52f;
+  constexpr float kSmallest = 0x1p-100f, kLongest = 0x1p52f;
   F hx = alpha.x * wo.x;
   F hy = alpha.y * wo.y;
   Int<F> larger = op::max(op::bits(op::abs(hx)), op::bits(op::abs(hy)));
   Int<F> exponent = op::max(larger, Int<F>(0x0d800000)) & Int<F>(0x7f800000);  // at least kSmallest
-  F scale = op::from_bits(Int<F>(std::int32_t(0x89000000u)) - exponent);       // kUnit / 2^exponent
-  F x = op::select(op::from_bits(exponent) > F(kSmallest), hx * scale, F(kUnit));
+  F scale = op::from_bits(Int<F>(std::int32_t(0x89000000u)) - exponent);       // 2^20 / 2^exponent
+  F x = op::select(op::from_bits(larger) < F(kSmallest), F(kSmallest), hx) * scale;
   F y = hy * scale;
   F abs_z = op::abs(wo.z * scale);
   abs_z = op::select(abs_z > F(kLongest), F(kLongest), abs_z);

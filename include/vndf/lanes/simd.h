@@ -106,8 +106,15 @@ VNDF_INLINE Batch<Arch> from_bits(IntBatch<Arch> a) {
 #endif
 }
 
+VNDF_INLINE std::int32_t min(std::int32_t a, std::int32_t b) {
+  return a < b ? a : b;
+}
 VNDF_INLINE std::int32_t max(std::int32_t a, std::int32_t b) {
   return a > b ? a : b;
+}
+template <class Arch>
+VNDF_INLINE IntBatch<Arch> min(IntBatch<Arch> a, IntBatch<Arch> b) {
+  return xsimd::min(a, b);
 }
 template <class Arch>
 VNDF_INLINE IntBatch<Arch> max(IntBatch<Arch> a, IntBatch<Arch> b) {
@@ -124,12 +131,6 @@ VNDF_INLINE F abs(F a) {
 template <class F>
 VNDF_INLINE F with_sign_of(F magnitude, F sign) {
   return from_bits(bits(magnitude) | (bits(sign) & Int<F>(INT32_MIN)));
-}
-
-/// a, negated where `sign` carries a sign bit.
-template <class F>
-VNDF_INLINE F flip_sign_by(F a, F sign) {
-  return from_bits(bits(a) ^ (bits(sign) & Int<F>(INT32_MIN)));
 }
 
 template <class F>
