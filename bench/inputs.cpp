@@ -147,8 +147,8 @@ Batch make_columns(std::size_t count, Offset offset) {
 
 void fill_camera(const Batch& batch) {
   const std::vector<Sphere> field = make_field();
-  const Vec3 eye{0.7, -4.0, 1.9};
-  const Vec3 forward = normalize(Vec3{0, 7, 0.7} - eye);
+  const Vec3 eye{0.7, -3.0, 1.7};
+  const Vec3 forward = normalize(Vec3{0, 6, -0.8} - eye);
   const Vec3 right = normalize(cross(forward, {0, 0, 1}));
   const Vec3 up = cross(right, forward);
   constexpr double kHalfWidth = 0.7;      // tangent of half the field of view

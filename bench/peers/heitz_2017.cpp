@@ -9,8 +9,8 @@ namespace {
 template <class T>
 Vec3<T> two_half_disks(Vec3<T> wo, T alpha_x, T alpha_y, T u1, T u2) {
   Vec3<T> v = normalize(Vec3<T>{alpha_x * wo.x, alpha_y * wo.y, wo.z});
-  // The report's threshold: the parameterisation jumps there, and a rounding across it is an error of any size.
-  Vec3<T> t1 = v.z < T(0.9999f) ? normalize(cross(v, Vec3<T>{T(0), T(0), T(1)})) : Vec3<T>{T(1), T(0), T(0)};
+  bool near_normal = float_stretched_z(wo, alpha_x, alpha_y) >= 0.9999f;
+  Vec3<T> t1 = near_normal ? Vec3<T>{T(1), T(0), T(0)} : normalize(cross(v, Vec3<T>{T(0), T(0), T(1)}));
   Vec3<T> t2 = cross(t1, v);
   // The half disk facing the view has area 1, the one in the tangent plane v.z.
   T a = T(1) / (T(1) + v.z);

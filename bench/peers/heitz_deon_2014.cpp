@@ -18,26 +18,25 @@ struct Slopes {
   T x, y;
 };
 
-/// Slopes visible from a view of the given elevation and azimuth 0, at unit roughness.
+/// Slopes visible from a view at polar angle theta and azimuth 0, at unit roughness.
 template <class T>
-Slopes<T> sample_slopes(T cos_theta, T u1, T u2) {
-  if (cos_theta > T(0.9999f)) {
+Slopes<T> sample_slopes(T theta, T u1, T u2) {
+  if (theta < T(1e-4L)) {
     T r = std::sqrt(u1 / (T(1) - u1));
     T phi = T(2) * kPi<T> * u2;
     return {r * std::cos(phi), r * std::sin(phi)};
   }
-  T tan_theta = std::sqrt(std::fmax(T(0), T(1) - cos_theta * cos_theta)) / cos_theta;
+  T tan_theta = std::tan(theta);
   T g1 = T(2) / (T(1) + std::sqrt(T(1) + tan_theta * tan_theta));
 
   // slope_x: a root of the quadratic equation that the marginal's distribution function leads to.
   T a = T(2) * u1 / g1 - T(1);
   T inverse = T(1) / (a * a - T(1));
-  if (inverse > T(1e10L)) inverse = T(1e10L);
   T b = tan_theta;
   T root = std::sqrt(std::fmax(b * b * inverse * inverse - (a * a - b * b) * inverse, T(0)));
   T first = b * inverse - root;
   T second = b * inverse + root;
-  T x = a < T(0) || second > T(1) / tan_theta ? first : second;
+  T x = a < T(0) || second > T(1) / b ? first : second;
 
   // slope_y / sqrt(1 + slope_x^2) has the same symmetric distribution for every slope_x.
   bool above = u2 > T(0.5);
@@ -45,13 +44,19 @@ Slopes<T> sample_slopes(T cos_theta, T u1, T u2) {
   return {x, (above ? z : -z) * std::sqrt(T(1) + x * x)};
 }
 
+/// By angles, as the supplemental material goes: theta and phi of the stretched view, back to their tangent, cosine and
+/// sine. That is where its time goes.
 template <class T>
 Vec3<T> slope_space(Vec3<T> wo, T alpha_x, T alpha_y, T u1, T u2) {
   Vec3<T> v = normalize(Vec3<T>{alpha_x * wo.x, alpha_y * wo.y, wo.z});
-  Slopes<T> slope = sample_slopes(v.z, u1, u2);
-  T length = std::sqrt(v.x * v.x + v.y * v.y);
-  T cos_phi = length > T(0) ? v.x / length : T(1);
-  T sin_phi = length > T(0) ? v.y / length : T(0);
+  T theta = 0, phi = 0;
+  if (float_stretched_z(wo, alpha_x, alpha_y) < 0.99999f) {
+    theta = std::acos(v.z);
+    phi = std::atan2(v.y, v.x);
+  }
+  Slopes<T> slope = sample_slopes(theta, u1, u2);
+  T cos_phi = std::cos(phi);
+  T sin_phi = std::sin(phi);
   T x = alpha_x * (cos_phi * slope.x - sin_phi * slope.y);
   T y = alpha_y * (sin_phi * slope.x + cos_phi * slope.y);
   return normalize(Vec3<T>{-x, -y, T(1)});

@@ -35,6 +35,13 @@ Vec3<T> normalize(Vec3<T> a) {
   return (T(1) / std::sqrt(dot(a, a))) * a;
 }
 
+/// z of the stretched view as the float peer has it. Where a published routine jumps from one parameterisation to
+/// another, its oracle has to jump at the same inputs: a sample on the other side is a valid one, not a rounding error.
+template <class T>
+float float_stretched_z(Vec3<T> wo, T alpha_x, T alpha_y) {
+  return normalize(Vec3<float>{float(alpha_x) * float(wo.x), float(alpha_y) * float(wo.y), float(wo.z)}).z;
+}
+
 /// Runs one sampling routine, normal(wo, alpha_x, alpha_y, u1, u2), over columns. T = float makes the peer and
 /// T = long double its oracle.
 template <class T, Vec3<T> normal(Vec3<T>, T, T, T, T)>

@@ -1,0 +1,55 @@
+// The stages of the sampling kernels, each a loop of its own as in src/kernels.cpp, with the markers that llvm-mca
+// looks for around one iteration. mca.sh compiles this file to assembly, once per instruction set; it is never run.
+#include <vndf/lanes.h>
+
+namespace {
+
+using F = VNDF_BATCH;
+using namespace vndf::lanes;
+
+constexpr std::size_t kBlock = 256;
+
+/// A block's columns, one behind the other, so that a loop needs one address for all.
+template <class T>
+VNDF_INLINE T load(const float* block, std::size_t i) {
+  constexpr std::size_t kMembers = sizeof(T) / sizeof(F);
+  F members[kMembers];
+  for (std::size_t c = 0; c < kMembers; ++c) members[c] = op::load<F>(block + c * kBlock + i);
+  T value;
+  std::memcpy(&value, members, sizeof value);
+  return value;
+}
+
+template <class T>
+VNDF_INLINE void store(const T& value, float* block, std::size_t i) {
+  constexpr std::size_t kMembers = sizeof(T) / sizeof(F);
+  F members[kMembers];
+  std::memcpy(members, &value, sizeof value);
+  for (std::size_t c = 0; c < kMembers; ++c) op::store(members[c], block + c * kBlock + i);
+}
+
+}  // namespace
+
+// The memory clobbers keep an iteration's loads and stores, and so what lies between them, inside the markers;
+// constants and the loop counter stay outside.
+#define VNDF_STAGE(name, statement)                               \
+  void stage_##name(const float* a, const float* b, float* out) { \
+    for (std::size_t i = 0; i < kBlock; i += kWidth<F>) {         \
+      __asm__ volatile("# LLVM-MCA-BEGIN " #name : : : "memory"); \
+      statement;                                                  \
+      __asm__ volatile("# LLVM-MCA-END " #name : : : "memory");   \
+    }                                                             \
+    (void)b;                                                      \
+  }
+
+extern "C" {
+VNDF_STAGE(polar_map, store(polar_map(load<Vec2<F>>(a, i)), out, i))
+VNDF_STAGE(concentric_map, store(concentric_map(load<Vec2<F>>(a, i)), out, i))
+VNDF_STAGE(chord, store(chord(load<DiskPoint<F>>(a, i)), out, i))
+VNDF_STAGE(map_to_hemisphere, store(map_to_hemisphere(load<Vec3<F>>(a, i), load<Vec2<F>>(b, i)), out, i))
+VNDF_STAGE(reproject, auto view = load<HemisphereView<F>>(a, i); auto t = load<Chord<F>>(b, i);
+           store(reproject(view, t, squish(view, t)), out, i))
+VNDF_STAGE(map_from_hemisphere, store(map_from_hemisphere(load<Vec3<F>>(a, i), load<Vec2<F>>(b, i)), out, i))
+VNDF_STAGE(sample_cap,
+           store(sample_cap(load<Vec3<F>>(a, i), load<Vec2<F>>(b, i), load<Vec2<F>>(b + 2 * kBlock, i)), out, i))
+}
