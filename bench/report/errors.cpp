@@ -1,0 +1,272 @@
+// vndf_errors: how far the library's normals and its peers' are from the exact ones, for every hard case.
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <vndf/vndf.h>
+
+#include "arguments.h"
+#include "peers.h"
+#include "reference/errors.h"
+
+namespace {
+
+using namespace vndf;
+using namespace vndf::reference;
+
+constexpr std::uint64_t kSeed = 2018;
+
+constexpr struct {
+  Warp warp;
+  const char* name;
+} kWarps[] = {{Warp::polar, "polar"}, {Warp::concentric, "concentric"}, {Warp::spherical_cap, "spherical_cap"}};
+
+struct Options {
+  std::size_t samples = std::size_t(1) << 22;
+  std::size_t peer_samples = std::size_t(1) << 18;
+  unsigned threads = std::min(8u, std::max(1u, std::thread::hardware_concurrency()));
+  std::string only;
+  std::string out = "-";
+};
+
+constexpr char kHelp[] =
+    R"(vndf_errors: measures the library's normals and its peers' against exact ones, for every hard case
+
+  --samples N        samples per hard case and warp of the library's (default 4194304)
+  --peer-samples N   samples per hard case of each peer (default 262144)
+  --threads N        hard cases measured at once; each takes about 70 bytes a sample (default: one per core, at most 8)
+  --row NAME         this hard case only
+  --out FILE         where the JSON goes (default -, standard output); progress is on standard error
+)";
+
+Options parse(int argc, char** argv) {
+  Options options;
+  report::Arguments arguments(argc, argv);
+  while (arguments.more()) {
+    if (arguments.is("--help")) {
+      std::fputs(kHelp, stdout);
+      std::exit(0);
+    } else if (arguments.is("--samples")) {
+      options.samples = std::size_t(arguments.number(1, 1 << 28));
+    } else if (arguments.is("--peer-samples")) {
+      options.peer_samples = std::size_t(arguments.number(1, 1 << 28));
+    } else if (arguments.is("--threads")) {
+      options.threads = unsigned(arguments.number(1, 1024));
+    } else if (arguments.is("--row")) {
+      options.only = arguments.value();
+      auto named = [&](const HardCase& row) { return row.name == options.only; };
+      if (std::none_of(hard_cases().begin(), hard_cases().end(), named)) {
+        arguments.fail("no hard case is called '" + options.only + "'");
+      }
+    } else if (arguments.is("--out")) {
+      options.out = arguments.value();
+    } else {
+      arguments.unknown();
+    }
+  }
+  return options;
+}
+
+/// One line of the result.
+struct Row {
+  std::string implementation, warp, isa;
+  const HardCase* hard_case;
+  std::size_t samples;
+  NormalErrors errors;
+  std::size_t nonfinite = 0;
+  std::string worst_input;
+};
+
+struct Normals {
+  std::vector<float> x, y, z;
+  explicit Normals(std::size_t count) : x(count), y(count), z(count) {}
+};
+
+std::string input_text(const Inputs& in, std::size_t i) {
+  char text[256];
+  std::snprintf(text, sizeof text, "wo = (%.9g, %.9g, %.9g), alpha = (%.9g, %.9g), u = (%.9g, %.9g)", in.wo_x[i],
+                in.wo_y[i], in.wo_z[i], in.alpha_x[i], in.alpha_y[i], in.u_x[i], in.u_y[i]);
+  return text;
+}
+
+Row compare(const char* implementation, const char* warp, const char* isa, const HardCase& hard_case, const Inputs& in,
+            const OracleNormals& oracle, const Normals& wm) {
+  Row row{implementation, warp, isa, &hard_case, in.size(), {}, 0, {}};
+  row.errors = measure(in, oracle, wm.x.data(), wm.y.data(), wm.z.data());
+  for (std::size_t i = 0; i < in.size(); ++i) {
+    row.nonfinite += !std::isfinite(wm.x[i]) || !std::isfinite(wm.y[i]) || !std::isfinite(wm.z[i]);
+  }
+  row.worst_input = input_text(in, hard_case.no_visible_normal ? row.errors.worst_norm : row.errors.worst);
+  return row;
+}
+
+/// The library, on the active instruction set: the others give the same bits, which the tests make sure of.
+Row measure_ours(const HardCase& hard_case, Warp warp, const char* warp_name, std::size_t samples) {
+  Inputs in = generate(hard_case, warp, samples, kSeed);
+  Normals wm(samples);
+  sample_normals(warp, samples, in.wo(), in.alpha(), in.u(), {wm.x.data(), wm.y.data(), wm.z.data()});
+  OracleNormals oracle;
+  if (hard_case.no_visible_normal) {
+    // No normal is right more than another: what is measured is that it is a unit one.
+    oracle.x.assign(wm.x.begin(), wm.x.end());
+    oracle.y.assign(wm.y.begin(), wm.y.end());
+    oracle.z.assign(wm.z.begin(), wm.z.end());
+  } else {
+    oracle = oracle_normals(warp, in);
+  }
+  return compare("sample_normals", warp_name, "any", hard_case, in, oracle, wm);
+}
+
+Warp warp_named(const std::string& name) {
+  for (auto& warp : kWarps) {
+    if (warp.name == name) return warp.warp;
+  }
+  return Warp::polar;
+}
+
+/// Every peer, each against its own formulas in long double: so the choice of a frame at the pole, which is a peer's
+/// own affair, is no error. Each of these is evaluated once for all instruction sets.
+std::vector<Row> measure_peers(const HardCase& hard_case, std::size_t samples) {
+  struct Exact {
+    Inputs in;
+    OracleNormals normals;
+  };
+  std::map<peers::Oracle*, Exact> known;
+  std::vector<Row> rows;
+  for (const peers::Peer& peer : peers::peers()) {
+    if (!peer.supported) continue;
+    auto found = known.find(peer.oracle);
+    if (found == known.end()) {
+      Inputs in = generate(hard_case, warp_named(peer.warp), samples, kSeed);
+      std::vector<long double> exact[3];
+      for (auto& column : exact) column.resize(samples);
+      const float* inputs[7] = {in.wo_x.data(),    in.wo_y.data(), in.wo_z.data(), in.alpha_x.data(),
+                                in.alpha_y.data(), in.u_x.data(),  in.u_y.data()};
+      long double* outputs[3] = {exact[0].data(), exact[1].data(), exact[2].data()};
+      peer.oracle(samples, inputs, outputs);
+      OracleNormals normals;
+      normals.x.assign(exact[0].begin(), exact[0].end());
+      normals.y.assign(exact[1].begin(), exact[1].end());
+      normals.z.assign(exact[2].begin(), exact[2].end());
+      found = known.emplace(peer.oracle, Exact{std::move(in), std::move(normals)}).first;
+    }
+    const Inputs& in = found->second.in;
+    const float* inputs[7] = {in.wo_x.data(),    in.wo_y.data(), in.wo_z.data(), in.alpha_x.data(),
+                              in.alpha_y.data(), in.u_x.data(),  in.u_y.data()};
+    Normals wm(samples);
+    float* outputs[3] = {wm.x.data(), wm.y.data(), wm.z.data()};
+    peer.sample(samples, inputs, outputs);
+    rows.push_back(compare(peer.name, peer.warp, peer.isa, hard_case, in, found->second.normals, wm));
+  }
+  return rows;
+}
+
+/// A number, or null where it is infinite: JSON has no word for that.
+std::string number(double value) {
+  if (!std::isfinite(value)) return "null";
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+void write_row(std::FILE* file, const Row& row) {
+  const NormalErrors& e = row.errors;
+  std::fprintf(file,
+               "  {\"implementation\": \"%s\", \"warp\": \"%s\", \"isa\": \"%s\", \"row\": \"%s\", \"samples\": %zu,",
+               row.implementation.c_str(), row.warp.c_str(), row.isa.c_str(), row.hard_case->name, row.samples);
+  std::fprintf(file, " \"mean_eps\": %s, \"p999_eps\": %s, \"max_eps\": %s, \"norm_eps\": %s, \"slope_error\": %s,",
+               number(e.mean).c_str(), number(e.p999).c_str(), number(e.max).c_str(), number(e.max_norm).c_str(),
+               row.hard_case->small_alpha ? number(e.max_slope).c_str() : "null");
+  std::fprintf(file, " \"nonfinite\": %zu, \"undefined\": %s, \"worst_input\": \"%s\"}", row.nonfinite,
+               row.hard_case->no_visible_normal ? "true" : "false", row.worst_input.c_str());
+}
+
+void write(std::FILE* file, const Options& options, const std::vector<Row>& rows) {
+  std::fprintf(file, "{\n\"samples\": %zu,\n\"peer_samples\": %zu,\n\"measured_isa\": \"%s\",\n", options.samples,
+               options.peer_samples, active_isa());
+  std::fputs("\"row_notes\": {", file);
+  const char* separator = "";
+  for (const HardCase& hard_case : hard_cases()) {
+    std::fprintf(file, "%s\n  \"%s\": \"%s\"", separator, hard_case.name, hard_case.description);
+    separator = ",";
+  }
+  std::fputs("\n},\n\"peers\": {", file);
+  std::map<std::string, std::string> operations;
+  for (const peers::Peer& peer : peers::peers()) operations[peer.name] = peer.operation;
+  separator = "";
+  for (const auto& [name, operation] : operations) {
+    std::fprintf(file, "%s\n  \"%s\": \"%s\"", separator, name.c_str(), operation.c_str());
+    separator = ",";
+  }
+  peers::FitError fit = peers::heitz_deon_2014_fit_error();
+  std::fprintf(file,
+               "\n},\n\"fit_error\": {\"max_slope\": %s, \"mean_slope\": %s, \"max_normal\": %s, \"mean_normal\": %s},",
+               number(fit.max_slope).c_str(), number(fit.mean_slope).c_str(), number(fit.max_normal).c_str(),
+               number(fit.mean_normal).c_str());
+  std::fputs("\n\"rows\": [", file);
+  separator = "\n";
+  for (const Row& row : rows) {
+    std::fputs(separator, file);
+    write_row(file, row);
+    separator = ",\n";
+  }
+  std::fputs("\n]\n}\n", file);
+}
+
+void show(const Row& row) {
+  std::fprintf(stderr, "  %-22s %-13s %-7s %-25s mean %9.3g  p99.9 %9.3g  max %9.3g eps%s\n",
+               row.implementation.c_str(), row.warp.c_str(), row.isa.c_str(), row.hard_case->name, row.errors.mean,
+               row.errors.p999, row.errors.max, row.nonfinite ? "  (not all finite)" : "");
+}
+
+std::vector<Row> measure_all(const Options& options) {
+  std::vector<std::function<std::vector<Row>()>> tasks;
+  for (const HardCase& hard_case : hard_cases()) {
+    if (!options.only.empty() && options.only != hard_case.name) continue;
+    for (const auto& warp : kWarps) {
+      tasks.push_back([&] { return std::vector<Row>{measure_ours(hard_case, warp.warp, warp.name, options.samples)}; });
+    }
+    tasks.push_back([&] { return measure_peers(hard_case, options.peer_samples); });
+  }
+
+  std::vector<std::vector<Row>> results(tasks.size());
+  std::atomic<std::size_t> next{0};
+  std::size_t done = 0;
+  std::mutex terminal;
+  auto work = [&] {
+    for (std::size_t task; (task = next++) < tasks.size();) {
+      auto start = std::chrono::steady_clock::now();
+      results[task] = tasks[task]();
+      std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+      std::lock_guard<std::mutex> lock(terminal);
+      std::fprintf(stderr, "errors %zu/%zu, %.1f s\n", ++done, tasks.size(), seconds.count());
+      for (const Row& row : results[task]) show(row);
+    }
+  };
+  std::vector<std::thread> threads;
+  for (unsigned i = 1; i < options.threads; ++i) threads.emplace_back(work);
+  work();
+  for (std::thread& thread : threads) thread.join();
+
+  std::vector<Row> rows;
+  for (auto& result : results) rows.insert(rows.end(), result.begin(), result.end());
+  return rows;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options = parse(argc, argv);
+  // Opened first: a path that cannot be written is told at once, not after minutes.
+  std::FILE* file = report::open_output(options.out);
+  write(file, options, measure_all(options));
+  report::close_output(file, options.out);
+}

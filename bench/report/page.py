@@ -1,0 +1,293 @@
+"""The page: one HTML file with everything in it."""
+
+from __future__ import annotations
+
+import html
+import math
+from typing import Any, Iterable, Optional
+
+import theme
+from plots import Figures, nice
+from results import LISTING, ROOFLINE, ErrorRow, Measurements, Result, unique
+
+STYLE = """
+*{box-sizing:border-box}
+html{color-scheme:light dark;-webkit-text-size-adjust:100%}
+body{margin:0;background:var(--page);color:var(--ink);font:17px/1.6 FONTS}
+main{max-width:1020px;margin:0 auto;padding:48px 24px 96px}
+h1{font-size:2.1rem;line-height:1.15;letter-spacing:-.02em;margin:0 0 .4em}
+h2{font-size:1.4rem;line-height:1.25;letter-spacing:-.01em;margin:3.2em 0 .5em}
+p{max-width:46em;margin:.6em 0}
+.lead{font-size:1.15rem;color:var(--soft)}
+code,.bits{font:.88em ui-monospace,'SF Mono',Menlo,Consolas,monospace}
+figure{margin:1.4em 0}
+figure svg{display:block;width:100%;height:auto;background:var(--panel);border:1px solid var(--line);border-radius:8px}
+figcaption{max-width:46em;margin-top:.8em}
+dl{display:grid;grid-template-columns:max-content 1fr;gap:.2em 1.4em;font-size:.92rem;margin:1.6em 0}
+dt{color:var(--soft)}
+dd{margin:0;overflow-wrap:anywhere}
+.wide{overflow-x:auto;margin:1.2em 0}
+table{border-collapse:collapse;font-size:.86rem;line-height:1.45;font-variant-numeric:tabular-nums;min-width:100%}
+th,td{padding:.28em .7em;text-align:right;white-space:nowrap;border-bottom:1px solid var(--line)}
+th{color:var(--soft);font-weight:600;vertical-align:bottom}
+th:first-child,td:first-child,.text{text-align:left}
+tr.ours td:first-child{color:var(--accent);font-weight:600}
+tr.break td{border-top:2px solid var(--line)}
+details{margin:1em 0}
+summary{cursor:pointer;color:var(--accent)}
+.key{display:grid;grid-template-columns:repeat(auto-fit,minmax(190px,1fr));gap:14px;margin:2em 0}
+.key div{background:var(--panel);border:1px solid var(--line);border-radius:8px;padding:14px 16px}
+.key b{display:block;font-size:1.7rem;line-height:1.2;letter-spacing:-.02em}
+.key span{color:var(--soft);font-size:.88rem;line-height:1.4;display:block}
+@media(max-width:640px){body{font-size:16px}main{padding:28px 14px 64px}dl{grid-template-columns:1fr}dt{margin-top:.5em}}
+""".replace("FONTS", theme.FONT_STACK)
+
+# What a peer is, for those who have not read its paper.
+PEERS = {
+    "paper_listing": "Heitz 2018, Listing 1, in plain float, as printed",
+    "paper_listing_fast": "the same as a loop that compilers vectorise, with -ffast-math",
+    "spherical_cap_listing": "Dupuy and Benyoub 2023, as published, in plain float",
+    "heitz_2017": "Heitz 2017, the older parameterisation by two half disks; views above the horizon only",
+    "heitz_deon_2014": "Heitz and d'Eon 2014, slope space with a fitted curve; views above the horizon only",
+    "ndf_walter_2007": "Walter et al. 2007: all normals, visible or not",
+    "ispc_listing": "Heitz 2018, Listing 1, in ISPC, with its approximate reciprocal square root",
+    "ispc_caps": "Dupuy and Benyoub 2023 in ISPC, with its approximate reciprocal square root",
+}
+
+
+def text(value: object) -> str:
+    return html.escape(str(value))
+
+
+def number(value: Optional[float], missing: str = "–") -> str:
+    """Three significant digits, thousands apart; never an exponent below ten million."""
+    if value is None or math.isnan(value):
+        return missing
+    if value == 0 or 1e-3 <= abs(value) < 1e7:
+        digits = 0 if value == 0 else max(0, 2 - math.floor(math.log10(abs(value))))
+        return f"{value:,.{min(digits, 3)}f}".replace(",", " ")
+    return f"{value:.2g}"
+
+
+def error_number(value: Optional[float]) -> str:
+    return number(value, missing="NaN")
+
+
+def share(value: Optional[float]) -> str:
+    return "–" if value is None else f"{100 * value:.0f} %"
+
+
+def ratio(value: Optional[float]) -> str:
+    return "–" if value is None else f"{number(value)}×"
+
+
+def table(head: list[str], rows: Iterable[tuple[str, list[str]]], words: int = 1) -> str:
+    """Rows of (CSS class, cells that are HTML); the first `words` columns are words, the last one too if it says so."""
+    def cell(tag: str, index: int, content: str) -> str:
+        as_text = index < words or head[index].startswith("worst")
+        return f'<{tag}{" class=text" if as_text else ""}>{content}</{tag}>'
+
+    top = "".join(cell("th", index, text(title)) for index, title in enumerate(head))
+    body = "".join(
+        f'<tr class="{kind}">' + "".join(cell("td", index, content) for index, content in enumerate(cells)) + "</tr>\n"
+        for kind, cells in rows
+    )
+    return f'<div class=wide><table><thead><tr>{top}</tr></thead><tbody>\n{body}</tbody></table></div>\n'
+
+
+def result_cells(result: Result) -> list[str]:
+    speed, error = result.speed, result.error
+    errors = [error_number(error.mean_eps), error_number(error.p999_eps), error_number(error.max_eps),
+              text(nice(error.worst_row))] if error else ["–"] * 4
+    return [number(speed.ns), number(speed.msamples), ratio(result.vs_listing), share(result.roofline_share), *errors]
+
+
+RESULT_HEAD = ["ns / sample", "M samples / s", "× listing", "of the copy", "mean ε", "p99.9 ε", "max ε", "worst hard case"]
+
+
+def result_table(data: Measurements, results: list[Result]) -> str:
+    rows = []
+    previous = None
+    for result in results:
+        speed = result.speed
+        group = (speed.operation, speed.warp)
+        kind = "ours" if data.is_ours(speed.operation) else ""
+        rows.append((kind + (" break" if previous not in (None, group) else ""),
+                     [text(nice(speed.operation)), text(nice(speed.warp)), text(nice(speed.isa)), *result_cells(result)]))
+        previous = group
+    return table(["", "warp", "set", *RESULT_HEAD], rows, words=3)
+
+
+def grouped(data: Measurements, results: Iterable[Result]) -> list[Result]:
+    """Ours first, then the peers, then the copy; each operation and warp together."""
+    order = unique((r.speed.operation, r.speed.warp) for r in results)
+
+    def rank(result: Result) -> tuple[int, int]:
+        operation = result.speed.operation
+        kind = 0 if data.is_ours(operation) else 2 if operation == ROOFLINE else 1
+        return kind, order.index((operation, result.speed.warp))
+
+    return sorted(results, key=rank)
+
+
+def main_table(data: Measurements, source: str, count: int) -> str:
+    chosen = [r for r in data.results if r.speed.input == source and r.speed.count == count]
+    return result_table(data, grouped(data, chosen))
+
+
+def all_tables(data: Measurements, source: str, count: int) -> str:
+    """Every other input and count, folded away."""
+    parts = []
+    for other in unique((r.speed.input, r.speed.count) for r in data.results):
+        if other != (source, count):
+            title = f"{other[0].replace('/', ', ').replace('_', ' ')}, {other[1]:,} samples a call".replace(",", " ", 0)
+            parts.append(f"<details><summary>{text(title)}</summary>{main_table(data, *other)}</details>\n")
+    return "".join(parts)
+
+
+def error_cells(row: ErrorRow) -> list[str]:
+    distances = ["any"] * 3 if row.undefined else [error_number(v) for v in (row.mean_eps, row.p999_eps, row.max_eps)]
+    slope = "–" if row.slope_error is None else f"{row.slope_error:.1e}"
+    return [*distances, error_number(row.norm_eps), slope, f"{row.samples:,}".replace(",", " "),
+            f"<span class=bits>{text(row.worst_input)}</span>"]
+
+
+def error_tables(data: Measurements) -> str:
+    parts = []
+    for key in unique((e.implementation, e.warp, e.isa) for e in data.errors):
+        rows = [e for e in data.errors if (e.implementation, e.warp, e.isa) == key]
+        body = [("", [f'<span title="{text(data.row_notes.get(e.row, ""))}">{text(nice(e.row))}</span>', *error_cells(e)])
+                for e in rows]
+        head = ["hard case", "mean ε", "p99.9 ε", "max ε", "norm ε", "slope", "samples", "worst input"]
+        title = ", ".join(nice(word) for word in key if word not in ("any", "own"))
+        parts.append(f"<details><summary>{text(title)}</summary>{table(head, body)}</details>\n")
+    return "".join(parts)
+
+
+def case_list(data: Measurements) -> str:
+    rows = [("", [text(nice(name)), text(note)]) for name, note in data.row_notes.items()]
+    return f"<details><summary>What the hard cases are</summary>{table(['hard case', 'inputs'], rows, words=2)}</details>"
+
+
+def peer_list(data: Measurements) -> str:
+    present = unique(s.operation for s in data.speeds if data.is_peer(s.operation))
+    rows = [("", [text(nice(name)), text(PEERS.get(name, ""))]) for name in present]
+    return f"<details><summary>Who the peers are</summary>{table(['peer', 'what it is'], rows, words=2)}</details>"
+
+
+def key_figures(data: Measurements, source: str, count: int) -> str:
+    """The four numbers that a reader takes home."""
+    mine = [r for r in data.results if r.speed.operation == data.peer_operation and r.speed.input == source
+            and r.speed.count == count]
+    if not mine:
+        return ""
+    fastest = max(mine, key=lambda r: r.speed.msamples)
+    closest = min((r for r in mine if r.error and r.error.max_eps is not None), key=lambda r: (r.error.max_eps, r.speed.ns),
+                  default=None)
+    listing = next((r for r in data.results if (r.speed.operation, r.speed.warp, r.speed.isa) == LISTING and r.error), None)
+    cards = [(f"{number(fastest.speed.msamples)} M/s",
+              f"samples on one core, {nice(fastest.speed.warp)}, {nice(fastest.speed.isa)}, {source} input")]
+    if fastest.vs_listing:
+        cards.append((ratio(fastest.vs_listing), "the speed of the paper's listing"))
+    if closest:
+        cards.append((f"{number(closest.error.max_eps)} ε",
+                      f"largest error in any hard case, {nice(closest.speed.warp)} ({nice(closest.error.worst_row)})"))
+    if listing:
+        cards.append((f"{error_number(listing.error.max_eps)} ε",
+                      f"largest error of the paper's listing ({nice(listing.error.worst_row)})"))
+    return "<div class=key>" + "".join(f"<div><b>{text(a)}</b><span>{text(b)}</span></div>" for a, b in cards) + "</div>"
+
+
+def figure(svg: Optional[str], caption: str) -> str:
+    return f"<figure>{svg}<figcaption>{caption}</figcaption></figure>\n" if svg else ""
+
+
+def machine_list(machine: dict[str, Any]) -> str:
+    return "<dl>" + "".join(f"<dt>{text(key)}</dt><dd>{text(value)}</dd>" for key, value in machine.items()) + "</dl>"
+
+
+def fit_note(data: Measurements) -> str:
+    fit = data.facts.get("fit_error")
+    if not fit:
+        return ""
+    return (f" Heitz and d'Eon's curve is a fit: apart from all rounding it is off by up to {number(fit['max_normal'])} "
+            f"in the normal ({number(fit['mean_normal'])} on average), which its point here leaves out.")
+
+
+def sample_note(data: Measurements) -> str:
+    mine = max((e.samples for e in data.errors if data.is_ours(e.implementation)), default=0)
+    theirs = max((e.samples for e in data.errors if data.is_peer(e.implementation)), default=0)
+    isa = data.facts.get("measured_isa", "")
+    return (f"{mine:,} samples per hard case for the library and {theirs:,} for each peer".replace(",", " ")
+            + (f", the library's taken on {nice(isa)}: the other sets give the same bits, as the tests verify." if isa else "."))
+
+
+def render(data: Measurements, figures: Figures, machine: dict[str, Any], source: str, count: int) -> str:
+    speed_figures = "".join(
+        figure(svg, f"Each point is one implementation on the {text(source)} input, {count:,} samples a call. Up is faster, "
+                    "left is closer to the exact normal, and both axes are logarithmic: one tick to the left is ten times "
+                    "closer. The library has the same error on every instruction set, because it has the same bits; so "
+                    "each warp is one vertical line. What lies below and to the right of the green line is beaten in both."
+                    + fit_note(data))
+        for svg in figures.speed_against_error
+    )
+    throughput = "".join(
+        figure(svg, "A batch grows from 16 samples to millions. Left, the cost of a call shows; in the middle, all columns "
+                    "fit in cache; right, memory sets the pace, and no kernel can pass the dashed copy, which reads and "
+                    "writes the same columns and computes nothing.")
+        for svg in figures.throughput
+    )
+    errors = "".join(
+        figure(svg, "Each line runs from the mean error to the largest, the tick on it marks the 99.9th percentile, and the "
+                    "dot is the worst sample. An ε is 2⁻²⁴, half a unit in the last place of 1: nothing stored in a float "
+                    "does much better than 1. A short line at the left says that this case is not hard any more; a dot "
+                    "near ten million says that a normal points anywhere. A hollow dot stands for a result that is not a "
+                    "number, or for a case where no single normal is right.")
+        for svg in figures.error_per_case
+    )
+    return f"""<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>vndf: speed against error</title>
+<style>{theme.css_variables()}{STYLE}</style>
+</head>
+<body><main>
+<h1>Speed against error</h1>
+<p class=lead>How fast <code>vndf</code> samples GGX visible normals, how far they are from the exact ones, and how others
+compare. Everything here was measured in one run on one machine.</p>
+{key_figures(data, source, count)}
+{machine_list(machine)}
+
+<h2>Who is fast and close</h2>
+{speed_figures}
+{peer_list(data)}
+
+<h2>The numbers</h2>
+<p>{text(source.capitalize())} input, {count:,} samples a call, columns aligned to 64 bytes, one core; medians of interleaved
+repetitions. “× listing” is the speed in units of the paper's listing on the same data, “of the copy” the share of the
+speed at which the same columns are merely copied. Errors are distances from the exact normal of the same float inputs in
+ε = 2⁻²⁴, over all hard cases: the mean of their means, the largest 99.9th percentile, the largest of all.
+{sample_note(data)}</p>
+{main_table(data, source, count)}
+{all_tables(data, source, count)}
+
+<h2>How large a batch has to be</h2>
+{throughput}
+
+<h2>Where others lose their digits</h2>
+{errors}
+{case_list(data)}
+{error_tables(data)}
+
+<h2>What the maps do to a square</h2>
+{figure(figures.checker, "A checkerboard on the unit square of random numbers, carried to the slopes of the normals "
+        "(−x/z, −y/z) of a surface of roughness 1, seen from more and more grazing views. All maps give the same density, "
+        "so equal cells have equal probability everywhere; they differ in the shape of the cells. Compact cells keep "
+        "well spread random numbers well spread; long thin ones waste them. Cross-hairs mark slope 0.")}
+{figure(figures.points, "The same with 512 points of an evenly spread sequence. Clumps and holes that are not in the "
+        "density are the map's doing: concentric keeps the points most even.")}
+</main></body>
+</html>
+"""
