@@ -11,6 +11,8 @@ namespace {
 using F = VNDF_BATCH;
 constexpr std::size_t kWidth = vndf::lanes::kWidth<F>;
 
+constexpr std::size_t kCacheLine = 64 / sizeof(float);
+
 /// Lanes of a block: its columns and what its stages hand one another fit into 32 KiB.
 constexpr std::size_t kBlock = 256;
 
@@ -24,13 +26,39 @@ struct Inputs {
   VNDF_INLINE F load(std::size_t i) const {
     return vndf::lanes::op::load<F>(column[C] + (i & advance[C]));
   }
+
+  /// Asks for what the next block but one will load. A kernel spreads these over its stages: the loops that only
+  /// compute are when the memory would idle, and hardware prefetchers do not see a column that is read in bursts.
+  template <std::size_t... C>
+  VNDF_INLINE void prefetch(std::size_t i) const {
+    if (i % kCacheLine == 0) (vndf::lanes::op::prefetch(column[C] + (i & advance[C]) + 2 * kBlock), ...);
+  }
 };
 
-/// Calls block(inputs, outputs, begin, end) over all of `count` indices: `begin` is a multiple of kBlock, `end` at most
-/// kBlock more and a multiple of the vector width. What is left over goes through a padded copy, in a block of its own.
-template <std::size_t N, std::size_t M, class Block>
-VNDF_INLINE void for_each_block(std::size_t count, const vndf::Column (&columns)[N], float* const (&out)[M],
-                                Block& block) {
+/// The outputs of a kernel.
+template <std::size_t M>
+struct Outputs {
+  float* column[M];
+  bool streaming;  // past the caches
+
+  template <std::size_t C>
+  VNDF_INLINE void store(std::size_t i, F value) const {
+    if (streaming)
+      vndf::lanes::op::stream(value, column[C] + i);
+    else
+      vndf::lanes::op::store(value, column[C] + i);
+  }
+};
+
+/// Batches of this many lanes write past the caches where their columns are aligned for it: their columns are larger
+/// than a core's share of any last-level cache, and a line that is only written need not be read first.
+constexpr std::size_t kStreaming = std::size_t(1) << 20;
+
+/// Calls kernel(inputs, outputs, begin, end) for block after block of all `count` indices: `begin` is a multiple of
+/// kBlock, `end` at most kBlock more and a multiple of the vector width. What is left over goes through a padded copy.
+template <std::size_t N, std::size_t M, class Kernel>
+VNDF_INLINE void for_each_block(std::size_t count, const vndf::Column (&columns)[N], float* const (&results)[M],
+                                Kernel& kernel) {
   alignas(64) float constants[N][kWidth];
   Inputs<N> in;
   for (std::size_t c = 0; c < N; ++c) {
@@ -39,25 +67,33 @@ VNDF_INLINE void for_each_block(std::size_t count, const vndf::Column (&columns)
     in.column[c] = constant ? constants[c] : columns[c].data;
     in.advance[c] = constant ? 0 : ~std::size_t(0);
   }
+  Outputs<M> out;
+  out.streaming = count >= kStreaming;
+  for (std::size_t c = 0; c < M; ++c) {
+    out.column[c] = results[c];
+    out.streaming &= reinterpret_cast<std::uintptr_t>(results[c]) % sizeof(F) == 0;
+  }
 
   std::size_t whole = count - count % kWidth;
   for (std::size_t begin = 0; begin < whole; begin += kBlock)
-    block(in, out, begin, whole - begin < kBlock ? whole : begin + kBlock);
+    kernel(in, out, begin, whole - begin < kBlock ? whole : begin + kBlock);
+  if (out.streaming) vndf::lanes::op::finish_streaming();
 
   if (std::size_t rest = count - whole) {
-    alignas(64) float padded[N][kWidth], padded_out[M][kWidth];
+    alignas(64) float padded[N][kWidth], padded_results[M][kWidth];
     Inputs<N> tail;
-    float* tail_out[M];
+    Outputs<M> tail_out;
     for (std::size_t c = 0; c < N; ++c) {
       const float* from = in.column[c] + (whole & in.advance[c]);
       for (std::size_t i = 0; i < kWidth; ++i) padded[c][i] = from[(i < rest ? i : 0) & in.advance[c]];
       tail.column[c] = padded[c];
       tail.advance[c] = ~std::size_t(0);
     }
-    for (std::size_t c = 0; c < M; ++c) tail_out[c] = padded_out[c];
-    block(tail, tail_out, std::size_t(0), kWidth);
+    tail_out.streaming = false;
+    for (std::size_t c = 0; c < M; ++c) tail_out.column[c] = padded_results[c];
+    kernel(tail, tail_out, std::size_t(0), kWidth);
     for (std::size_t c = 0; c < M; ++c)
-      for (std::size_t i = 0; i < rest; ++i) out[c][whole + i] = padded_out[c][i];
+      for (std::size_t i = 0; i < rest; ++i) results[c][whole + i] = padded_results[c][i];
   }
 }
 

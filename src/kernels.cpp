@@ -24,14 +24,14 @@ VNDF_INLINE Vec2<F> load_u(const SampleInputs& in, std::size_t i) {
   return {in.load<5>(i), in.load<6>(i)};
 }
 
-VNDF_INLINE void store(const Vec2<F>& v, float* const (&out)[2], std::size_t i) {
-  lanes::op::store(v.x, out[0] + i);
-  lanes::op::store(v.y, out[1] + i);
+VNDF_INLINE void store(const Vec2<F>& v, const Outputs<2>& out, std::size_t i) {
+  out.store<0>(i, v.x);
+  out.store<1>(i, v.y);
 }
-VNDF_INLINE void store(const Vec3<F>& v, float* const (&out)[3], std::size_t i) {
-  lanes::op::store(v.x, out[0] + i);
-  lanes::op::store(v.y, out[1] + i);
-  lanes::op::store(v.z, out[2] + i);
+VNDF_INLINE void store(const Vec3<F>& v, const Outputs<3>& out, std::size_t i) {
+  out.store<0>(i, v.x);
+  out.store<1>(i, v.y);
+  out.store<2>(i, v.z);
 }
 
 template <DiskMap map>
@@ -46,38 +46,53 @@ struct NormalsOnDisk {
   Staged<lanes::HemisphereView<F>> views;
   Staged<Vec3<F>> normals;
 
-  VNDF_INLINE void operator()(const SampleInputs& in, float* const (&wm)[3], std::size_t begin, std::size_t end) {
+  VNDF_INLINE void operator()(const SampleInputs& in, const Outputs<3>& wm, std::size_t begin, std::size_t end) {
     if (end - begin == kWidth) {
       auto t = chord(map_disk<map>(load_u(in, begin)));
       store(sample_normal_on_chord(load_wo(in, begin), load_alpha(in, begin), t), wm, begin);
       return;
     }
-    for (std::size_t i = begin; i < end; i += kWidth) points.store(i, map_disk<map>(load_u(in, i)));
-    for (std::size_t i = begin; i < end; i += kWidth) chords.store(i, chord(points.load(i)));
-    for (std::size_t i = begin; i < end; i += kWidth)
-      views.store(i, map_to_hemisphere(load_wo(in, i), load_alpha(in, i)));
     for (std::size_t i = begin; i < end; i += kWidth) {
+      in.prefetch<0, 1>(i);
+      points.store(i, map_disk<map>(load_u(in, i)));
+    }
+    for (std::size_t i = begin; i < end; i += kWidth) {
+      in.prefetch<2>(i);
+      chords.store(i, chord(points.load(i)));
+    }
+    for (std::size_t i = begin; i < end; i += kWidth) {
+      in.prefetch<3, 4>(i);
+      views.store(i, map_to_hemisphere(load_wo(in, i), load_alpha(in, i)));
+    }
+    for (std::size_t i = begin; i < end; i += kWidth) {
+      in.prefetch<5>(i);
       auto view = views.load(i);
       auto t = chords.load(i);
       normals.store(i, reproject(view, t, squish(view, t)));
     }
-    for (std::size_t i = begin; i < end; i += kWidth)
+    for (std::size_t i = begin; i < end; i += kWidth) {
+      in.prefetch<6>(i);
       store(map_from_hemisphere(normals.load(i), load_alpha(in, i)), wm, i);
+    }
   }
 };
 
 struct NormalsOnCap {
   Staged<Vec3<F>> normals;
 
-  VNDF_INLINE void operator()(const SampleInputs& in, float* const (&wm)[3], std::size_t begin, std::size_t end) {
+  VNDF_INLINE void operator()(const SampleInputs& in, const Outputs<3>& wm, std::size_t begin, std::size_t end) {
     if (end - begin == kWidth) {
       store(sample_normal_cap(load_wo(in, begin), load_alpha(in, begin), load_u(in, begin)), wm, begin);
       return;
     }
-    for (std::size_t i = begin; i < end; i += kWidth)
+    for (std::size_t i = begin; i < end; i += kWidth) {
+      in.prefetch<0, 1, 2, 5, 6>(i);
       normals.store(i, sample_cap(load_wo(in, i), load_alpha(in, i), load_u(in, i)));
-    for (std::size_t i = begin; i < end; i += kWidth)
+    }
+    for (std::size_t i = begin; i < end; i += kWidth) {
+      in.prefetch<3, 4>(i);
       store(map_from_hemisphere(normals.load(i), load_alpha(in, i)), wm, i);
+    }
   }
 };
 
@@ -90,7 +105,7 @@ void sample_normals(std::size_t count, const Columns3& wo, const Columns2& alpha
 
 template <DiskMap map>
 struct DiskPoints {
-  VNDF_INLINE void operator()(const Inputs<2>& u, float* const (&t)[2], std::size_t begin, std::size_t end) {
+  VNDF_INLINE void operator()(const Inputs<2>& u, const Outputs<2>& t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; i += kWidth)
       store(cartesian(map_disk<map>({u.load<0>(i), u.load<1>(i)})), t, i);
   }

@@ -148,6 +148,31 @@ VNDF_INLINE void store(Batch<Arch> a, float* p) {
   a.store_unaligned(p);
 }
 
+/// Stores past the caches; p is aligned to the vector. Visible to other threads only after finish_streaming().
+template <class F>
+VNDF_INLINE void stream(F a, float* p) {
+#if defined(__AVX512F__)
+  if constexpr (kWidth<F> == 16) return _mm512_stream_ps(p, a);
+#endif
+#if defined(__AVX__)
+  if constexpr (kWidth<F> == 8) return _mm256_stream_ps(p, a);
+#endif
+#if defined(__SSE2__)
+  if constexpr (kWidth<F> == 4) return _mm_stream_ps(p, a);
+#endif
+  store(a, p);
+}
+VNDF_INLINE void finish_streaming() {
+#if defined(__SSE2__)
+  _mm_sfence();
+#endif
+}
+
+/// Brings what p points to into the second-level cache; any address will do.
+VNDF_INLINE void prefetch(const float* p) {
+  __builtin_prefetch(p, 0, 2);
+}
+
 }  // namespace op
 }  // namespace VNDF_LANES_BUILD
 }  // namespace vndf::lanes
