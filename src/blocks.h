@@ -57,15 +57,15 @@ constexpr std::size_t kStreaming = std::size_t(1) << 20;
 /// Calls kernel(inputs, outputs, begin, end) for block after block of all `count` indices: `begin` is a multiple of
 /// kBlock, `end` at most kBlock more and a multiple of the vector width. What is left over goes through a padded copy.
 template <std::size_t N, std::size_t M, class Kernel>
-VNDF_INLINE void for_each_block(std::size_t count, const vndf::Column (&columns)[N], float* const (&results)[M],
+VNDF_INLINE void for_each_block(std::size_t count, const vndf::Column* const (&columns)[N], float* const (&results)[M],
                                 Kernel& kernel) {
   alignas(64) float constants[N][kWidth];
   Inputs<N> in;
   for (std::size_t c = 0; c < N; ++c) {
-    bool constant = columns[c].data == nullptr;
-    if (constant) vndf::lanes::op::store(F(columns[c].value), constants[c]);
-    in.column[c] = constant ? constants[c] : columns[c].data;
-    in.advance[c] = constant ? 0 : ~std::size_t(0);
+    const float* data = columns[c]->data;
+    if (!data) vndf::lanes::op::store(F(columns[c]->value), constants[c]);
+    in.column[c] = data ? data : constants[c];
+    in.advance[c] = std::size_t(0) - (data != nullptr);
   }
   Outputs<M> out;
   out.streaming = count >= kStreaming;

@@ -41,7 +41,8 @@ IsaError find(const char* name, const Implementation*& found) noexcept {
   return IsaError::unknown;
 }
 
-const Implementation* choose() noexcept {
+/// Out of line, so that a batch pays for one load, one test and one indirect call.
+__attribute__((noinline, cold)) const Implementation* choose() noexcept {
   const Implementation* best = &kImplementations[0];
   for (const Implementation& candidate : kImplementations)
     if (candidate.supported()) best = &candidate;

@@ -100,7 +100,7 @@ template <class Kernel>
 void sample_normals(std::size_t count, const Columns3& wo, const Columns2& alpha, const Columns2& u,
                     const Out3& wm) noexcept {
   Kernel kernel;
-  for_each_block<7, 3>(count, {wo.x, wo.y, wo.z, alpha.x, alpha.y, u.x, u.y}, {wm.x, wm.y, wm.z}, kernel);
+  for_each_block<7, 3>(count, {&wo.x, &wo.y, &wo.z, &alpha.x, &alpha.y, &u.x, &u.y}, {wm.x, wm.y, wm.z}, kernel);
 }
 
 template <DiskMap map>
@@ -114,7 +114,7 @@ struct DiskPoints {
 template <DiskMap map>
 void sample_disk(std::size_t count, const Columns2& u, const Out2& t) noexcept {
   DiskPoints<map> kernel;
-  for_each_block<2, 2>(count, {u.x, u.y}, {t.x, t.y}, kernel);
+  for_each_block<2, 2>(count, {&u.x, &u.y}, {t.x, t.y}, kernel);
 }
 
 }  // namespace
