@@ -59,11 +59,14 @@ struct StreamingStore {
 
 template <class Store>
 void copy(std::size_t count, const float* const in[7], float* const out[3], Store store) {
+  // The addresses in locals: the stores might otherwise change them.
+  const float *a = in[0], *b = in[1], *c = in[2], *d = in[3], *e = in[4], *f = in[5], *g = in[6];
+  float *x = out[0], *y = out[1], *z = out[2];
   // What is left over of a vector is not worth a thought in a roofline: the benchmark's counts are multiples.
   for (std::size_t i = 0; i + kWidth <= count; i += kWidth) {
-    store(load(in[0] + i), out[0] + i);
-    store(load(in[1] + i), out[1] + i);
-    store((load(in[2] + i) | load(in[3] + i)) | (load(in[4] + i) | load(in[5] + i)) | load(in[6] + i), out[2] + i);
+    store(load(a + i), x + i);
+    store(load(b + i), y + i);
+    store((load(c + i) | load(d + i)) | (load(e + i) | load(f + i)) | load(g + i), z + i);
   }
 }
 

@@ -1,5 +1,5 @@
 // Heitz and d'Eon 2014, supplemental material: visible slopes at unit roughness, slope_x by inversion and slope_y by a
-// fitted curve. For views above the horizon only.
+// fitted curve. For views above the horizon only. The view's angles are had in two ways, which differ in speed.
 #include "table.h"
 #include "vector.h"
 
@@ -18,15 +18,14 @@ struct Slopes {
   T x, y;
 };
 
-/// Slopes visible from a view at polar angle theta and azimuth 0, at unit roughness.
+/// Slopes visible from a view at an angle with this tangent and at azimuth 0, at unit roughness.
 template <class T>
-Slopes<T> sample_slopes(T theta, T u1, T u2) {
-  if (theta < T(1e-4L)) {
+Slopes<T> sample_slopes(bool normal_incidence, T tan_theta, T u1, T u2) {
+  if (normal_incidence) {
     T r = std::sqrt(u1 / (T(1) - u1));
     T phi = T(2) * kPi<T> * u2;
     return {r * std::cos(phi), r * std::sin(phi)};
   }
-  T tan_theta = std::tan(theta);
   T g1 = T(2) / (T(1) + std::sqrt(T(1) + tan_theta * tan_theta));
 
   // slope_x: a root of the quadratic equation that the marginal's distribution function leads to.
@@ -44,21 +43,35 @@ Slopes<T> sample_slopes(T theta, T u1, T u2) {
   return {x, (above ? z : -z) * std::sqrt(T(1) + x * x)};
 }
 
-/// By angles, as the supplemental material goes: theta and phi of the stretched view, back to their tangent, cosine and
-/// sine. That is where its time goes.
+/// The azimuth of the view, and the tangent of its polar angle.
 template <class T>
+struct ViewAngles {
+  T tan_theta, cos_phi, sin_phi;
+};
+
+/// By way of the angles themselves, as the supplemental material has it.
+template <class T>
+ViewAngles<T> by_angles(Vec3<T> v) {
+  T phi = std::atan2(v.y, v.x);
+  return {std::tan(std::acos(v.z)), std::cos(phi), std::sin(phi)};
+}
+
+/// By square roots, as renderers have it that adopted the routine.
+template <class T>
+ViewAngles<T> by_roots(Vec3<T> v) {
+  T sin_theta = std::sqrt(std::fmax(T(0), T(1) - v.z * v.z));
+  T radius = std::sqrt(v.x * v.x + v.y * v.y);
+  return {sin_theta / v.z, v.x / radius, v.y / radius};
+}
+
+template <class T, ViewAngles<T> angles_of(Vec3<T>)>
 Vec3<T> slope_space(Vec3<T> wo, T alpha_x, T alpha_y, T u1, T u2) {
   Vec3<T> v = normalize(Vec3<T>{alpha_x * wo.x, alpha_y * wo.y, wo.z});
-  T theta = 0, phi = 0;
-  if (float_stretched_z(wo, alpha_x, alpha_y) < 0.99999f) {
-    theta = std::acos(v.z);
-    phi = std::atan2(v.y, v.x);
-  }
-  Slopes<T> slope = sample_slopes(theta, u1, u2);
-  T cos_phi = std::cos(phi);
-  T sin_phi = std::sin(phi);
-  T x = alpha_x * (cos_phi * slope.x - sin_phi * slope.y);
-  T y = alpha_y * (sin_phi * slope.x + cos_phi * slope.y);
+  bool normal_incidence = float_stretched_z(wo, alpha_x, alpha_y) >= 0.99999f;
+  ViewAngles<T> view = normal_incidence ? ViewAngles<T>{T(0), T(1), T(0)} : angles_of(v);
+  Slopes<T> slope = sample_slopes(normal_incidence, view.tan_theta, u1, u2);
+  T x = alpha_x * (view.cos_phi * slope.x - view.sin_phi * slope.y);
+  T y = alpha_y * (view.sin_phi * slope.x + view.cos_phi * slope.y);
   return normalize(Vec3<T>{-x, -y, T(1)});
 }
 
@@ -84,11 +97,15 @@ double exact_inverse(double u) {
 }  // namespace
 
 void heitz_deon_2014(std::size_t count, const float* const in[7], float* const out[3]) {
-  sample_columns<float, slope_space<float>>(count, in, out);
+  sample_columns<float, slope_space<float, by_angles<float>>>(count, in, out);
+}
+
+void heitz_deon_2014_roots(std::size_t count, const float* const in[7], float* const out[3]) {
+  sample_columns<float, slope_space<float, by_roots<float>>>(count, in, out);
 }
 
 void heitz_deon_2014_exact(std::size_t count, const float* const in[7], long double* const out[3]) {
-  sample_columns<long double, slope_space<long double>>(count, in, out);
+  sample_columns<long double, slope_space<long double, by_roots<long double>>>(count, in, out);
 }
 
 FitError heitz_deon_2014_fit_error() {

@@ -30,6 +30,7 @@ Peers peers() {
       {"spherical_cap_listing", "sample_normals", "spherical_cap", "scalar", true, spherical_cap, spherical_cap_exact},
       {"heitz_2017", "sample_normals", "own", "scalar", true, heitz_2017, heitz_2017_exact},
       {"heitz_deon_2014", "sample_normals", "own", "scalar", true, heitz_deon_2014, heitz_deon_2014_exact},
+      {"heitz_deon_2014_roots", "sample_normals", "own", "scalar", true, heitz_deon_2014_roots, heitz_deon_2014_exact},
       {"ndf_walter_2007", "sample_ndf", "own", "scalar", true, ndf_walter_2007, ndf_walter_2007_exact},
 #define VNDF_PEER_ISA(name, supported) \
   {"paper_listing_fast", "sample_normals", "polar", #name, supported, paper_listing_fast_##name, paper_listing_exact},
