@@ -1,0 +1,97 @@
+// The accuracy of the normals, one test per hard case and warp: inputs, oracle, bound.
+//
+// 2^20 samples per case; VNDF_TEST_SAMPLES sets another number, as a power of two (22 is what the report takes).
+#include <cstdio>
+#include <cstdlib>
+
+#include "reference/errors.h"
+#include "support/operations.h"
+
+namespace vndf::testing {
+namespace {
+
+using reference::HardCase;
+
+/// In units of 2^-24.
+struct Bounds {
+  double mean, p999, max;
+};
+
+// Polar and concentric, for alpha up to 1.
+constexpr Bounds kBounds = {1.2, 8, 40};
+// Above 1, A Nh / |A Nh| magnifies the error of Nh.
+constexpr Bounds kLargeAlpha = {1.2, 10, 200};
+// The norm of every result.
+constexpr double kNormBound = 5;
+// |(d wm.x / alpha_x, d wm.y / alpha_y)|, for small alpha.
+constexpr double kSlopeBound = 1e-3;
+
+struct CapRow {
+  const char* name;
+  Bounds measured, bounds;
+};
+constexpr CapRow kCapRows[] = {
+    {"typical", {}, {}},
+};
+
+std::size_t sample_count() {
+  const char* exponent = std::getenv("VNDF_TEST_SAMPLES");
+  return std::size_t(1) << (exponent ? std::atoi(exponent) : 20);
+}
+
+/// A warp and an index of hard_cases().
+using Row = std::tuple<Warp, std::size_t>;
+const char* const kWarps[] = {"polar", "concentric", "spherical_cap"};
+
+class Accuracy : public ::testing::TestWithParam<Row> {
+ protected:
+  static Warp warp() { return std::get<0>(GetParam()); }
+  static const HardCase& hard_case() { return reference::hard_cases()[std::get<1>(GetParam())]; }
+
+  static Bounds bounds() {
+    if (warp() != Warp::spherical_cap) return hard_case().alpha_above_1 ? kLargeAlpha : kBounds;
+    for (const CapRow& row : kCapRows)
+      if (std::string(row.name) == hard_case().name) return row.bounds;
+    ADD_FAILURE() << "no bounds are stated for this case";
+    return {};
+  }
+};
+
+std::string name(const ::testing::TestParamInfo<Row>& info) {
+  return std::string(kWarps[int(std::get<0>(info.param))]) + "_" +
+         reference::hard_cases()[std::get<1>(info.param)].name;
+}
+INSTANTIATE_TEST_SUITE_P(, Accuracy,
+                         ::testing::Combine(::testing::Values(Warp::polar, Warp::concentric, Warp::spherical_cap),
+                                            ::testing::Range(std::size_t(0), reference::hard_cases().size())),
+                         name);
+
+TEST_P(Accuracy, Normals) {
+  reference::Inputs in = reference::generate(hard_case(), warp(), sample_count(), 1);
+  std::vector<float> x(in.size()), y(in.size()), z(in.size());
+  sample_normals(warp(), in.size(), in.wo(), in.alpha(), in.u(), {x.data(), y.data(), z.data()});
+  auto at = [&](std::size_t i) {
+    char wm[100];
+    std::snprintf(wm, sizeof wm, ", wm %a, %a, %a", x[i], y[i], z[i]);
+    return describe({in.wo_x, in.wo_y, in.wo_z, in.alpha_x, in.alpha_y, in.u_x, in.u_y}, i) + wm;
+  };
+  for (std::size_t i = 0; i < in.size(); ++i) ASSERT_GE(z[i], 0) << "below the surface: " << at(i);
+
+  auto oracle = reference::oracle_normals(warp(), in);
+  auto errors = reference::measure(in, oracle, x.data(), y.data(), z.data());
+  EXPECT_LE(errors.max_norm, kNormBound) << at(errors.worst_norm);
+  if (hard_case().no_visible_normal) return;
+
+  std::printf("%s %s: mean %.2f, p99.9 %.2f, max %.2f eps; slope %.2g; norm %.2f eps\n", kWarps[int(warp())],
+              hard_case().name, errors.mean, errors.p999, errors.max, errors.max_slope, errors.max_norm);
+  EXPECT_LE(oracle.uncertainty, reference::kEps / 16) << "the oracle itself";
+  EXPECT_LE(errors.mean, bounds().mean);
+  EXPECT_LE(errors.p999, bounds().p999);
+  EXPECT_LE(errors.max, bounds().max) << at(errors.worst);
+  if (hard_case().small_alpha) {
+    EXPECT_LE(errors.max_slope, kSlopeBound) << at(errors.worst_slope);
+  }
+}
+
+}  // namespace
+}  // namespace vndf::testing
