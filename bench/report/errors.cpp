@@ -82,6 +82,7 @@ struct Row {
   std::size_t samples;
   NormalErrors errors;
   std::size_t nonfinite = 0;
+  bool shared_domain = false;
   std::string worst_input;
 };
 
@@ -97,9 +98,21 @@ std::string input_text(const Inputs& in, std::size_t i) {
   return text;
 }
 
+/// Whether these are inputs that every sampling routine promises to accept: unit views not below the horizon, and alpha
+/// in (0, 1].
+bool in_shared_domain(const Inputs& in) {
+  for (std::size_t i = 0; i < in.size(); ++i) {
+    double x = in.wo_x[i], y = in.wo_y[i], z = in.wo_z[i];
+    bool unit = std::fabs(x * x + y * y + z * z - 1) < 1e-6;
+    bool rough = in.alpha_x[i] > 0 && in.alpha_x[i] <= 1 && in.alpha_y[i] > 0 && in.alpha_y[i] <= 1;
+    if (!unit || !rough || z < 0) return false;
+  }
+  return true;
+}
+
 Row compare(const char* implementation, const char* warp, const char* isa, const HardCase& hard_case, const Inputs& in,
             const OracleNormals& oracle, const Normals& wm) {
-  Row row{implementation, warp, isa, &hard_case, in.size(), {}, 0, {}};
+  Row row{implementation, warp, isa, &hard_case, in.size(), {}, 0, in_shared_domain(in), {}};
   row.errors = measure(in, oracle, wm.x.data(), wm.y.data(), wm.z.data());
   for (std::size_t i = 0; i < in.size(); ++i) {
     row.nonfinite += !std::isfinite(wm.x[i]) || !std::isfinite(wm.y[i]) || !std::isfinite(wm.z[i]);
@@ -185,8 +198,9 @@ void write_row(std::FILE* file, const Row& row) {
   std::fprintf(file, " \"mean_eps\": %s, \"p999_eps\": %s, \"max_eps\": %s, \"norm_eps\": %s, \"slope_error\": %s,",
                number(e.mean).c_str(), number(e.p999).c_str(), number(e.max).c_str(), number(e.max_norm).c_str(),
                row.hard_case->small_alpha ? number(e.max_slope).c_str() : "null");
-  std::fprintf(file, " \"nonfinite\": %zu, \"undefined\": %s, \"worst_input\": \"%s\"}", row.nonfinite,
-               row.hard_case->no_visible_normal ? "true" : "false", row.worst_input.c_str());
+  std::fprintf(file, " \"nonfinite\": %zu, \"undefined\": %s, \"shared_domain\": %s, \"worst_input\": \"%s\"}",
+               row.nonfinite, row.hard_case->no_visible_normal ? "true" : "false", row.shared_domain ? "true" : "false",
+               row.worst_input.c_str());
 }
 
 void write(std::FILE* file, const Options& options, const std::vector<Row>& rows) {

@@ -7,7 +7,7 @@ import math
 from typing import Any, Iterable, Optional
 
 import theme
-from plots import Figures, nice
+from plots import Figures, grouped, nice
 from results import LISTING, ROOFLINE, ErrorRow, Measurements, Result, unique
 
 STYLE = """
@@ -17,6 +17,7 @@ body{margin:0;background:var(--page);color:var(--ink);font:17px/1.6 FONTS}
 main{max-width:1020px;margin:0 auto;padding:48px 24px 96px}
 h1{font-size:2.1rem;line-height:1.15;letter-spacing:-.02em;margin:0 0 .4em}
 h2{font-size:1.4rem;line-height:1.25;letter-spacing:-.01em;margin:3.2em 0 .5em}
+h3{font-size:1.05rem;margin:2em 0 .4em}
 p{max-width:46em;margin:.6em 0}
 .lead{font-size:1.15rem;color:var(--soft)}
 code,.bits{font:.88em ui-monospace,'SF Mono',Menlo,Consolas,monospace}
@@ -26,14 +27,14 @@ figcaption{max-width:46em;margin-top:.8em}
 dl{display:grid;grid-template-columns:max-content 1fr;gap:.2em 1.4em;font-size:.92rem;margin:1.6em 0}
 dt{color:var(--soft)}
 dd{margin:0;overflow-wrap:anywhere}
-.wide{overflow-x:auto;margin:1.2em 0}
-table{border-collapse:collapse;font-size:.86rem;line-height:1.45;font-variant-numeric:tabular-nums;min-width:100%}
-th,td{padding:.28em .7em;text-align:right;white-space:nowrap;border-bottom:1px solid var(--line)}
+.wide{overflow-x:auto;margin:1.2em calc(50% - min(50vw - 14px,620px))}
+table{border-collapse:collapse;font-size:.84rem;line-height:1.45;font-variant-numeric:tabular-nums;min-width:100%}
+th,td{padding:.28em .55em;text-align:right;white-space:nowrap;border-bottom:1px solid var(--line)}
 th{color:var(--soft);font-weight:600;vertical-align:bottom}
 th:first-child,td:first-child,.text{text-align:left}
 tr.ours td:first-child{color:var(--accent);font-weight:600}
 tr.break td{border-top:2px solid var(--line)}
-details{margin:1em 0}
+details{margin:.35em 0}
 summary{cursor:pointer;color:var(--accent)}
 .key{display:grid;grid-template-columns:repeat(auto-fit,minmax(190px,1fr));gap:14px;margin:2em 0}
 .key div{background:var(--panel);border:1px solid var(--line);border-radius:8px;padding:14px 16px}
@@ -60,13 +61,15 @@ def text(value: object) -> str:
 
 
 def number(value: Optional[float], missing: str = "–") -> str:
-    """Three significant digits, thousands apart; never an exponent below ten million."""
+    """Three significant digits, thousands apart, millions as M."""
     if value is None or math.isnan(value):
         return missing
-    if value == 0 or 1e-3 <= abs(value) < 1e7:
-        digits = 0 if value == 0 else max(0, 2 - math.floor(math.log10(abs(value))))
-        return f"{value:,.{min(digits, 3)}f}".replace(",", " ")
-    return f"{value:.2g}"
+    if abs(value) >= 1e6:
+        return f"{number(value / 1e6)}\u202fM"
+    if 0 < abs(value) < 1e-3:
+        return f"{value:.1e}"
+    digits = 0 if value == 0 else max(0, 2 - math.floor(math.log10(abs(value))))
+    return f"{value:,.{min(digits, 3)}f}".replace(",", "\u202f")
 
 
 def error_number(value: Optional[float]) -> str:
@@ -98,11 +101,13 @@ def table(head: list[str], rows: Iterable[tuple[str, list[str]]], words: int = 1
 def result_cells(result: Result) -> list[str]:
     speed, error = result.speed, result.error
     errors = [error_number(error.mean_eps), error_number(error.p999_eps), error_number(error.max_eps),
-              text(nice(error.worst_row))] if error else ["–"] * 4
+              text(nice(error.worst_row)), error_number(error.shared_max_eps),
+              text(nice(error.shared_worst_row))] if error else ["–"] * 6
     return [number(speed.ns), number(speed.msamples), ratio(result.vs_listing), share(result.roofline_share), *errors]
 
 
-RESULT_HEAD = ["ns / sample", "M samples / s", "× listing", "of the copy", "mean ε", "p99.9 ε", "max ε", "worst hard case"]
+RESULT_HEAD = ["ns", "M/s", "× listing", "of copy", "mean ε", "p99.9 ε", "max ε", "worst hard case",
+               "max ε, shared", "worst of these"]
 
 
 def result_table(data: Measurements, results: list[Result]) -> str:
@@ -118,7 +123,7 @@ def result_table(data: Measurements, results: list[Result]) -> str:
     return table(["", "warp", "set", *RESULT_HEAD], rows, words=3)
 
 
-def grouped(data: Measurements, results: Iterable[Result]) -> list[Result]:
+def in_groups(data: Measurements, results: Iterable[Result]) -> list[Result]:
     """Ours first, then the peers, then the copy; each operation and warp together."""
     order = unique((r.speed.operation, r.speed.warp) for r in results)
 
@@ -132,7 +137,12 @@ def grouped(data: Measurements, results: Iterable[Result]) -> list[Result]:
 
 def main_table(data: Measurements, source: str, count: int) -> str:
     chosen = [r for r in data.results if r.speed.input == source and r.speed.count == count]
-    return result_table(data, grouped(data, chosen))
+    return result_table(data, in_groups(data, chosen))
+
+
+def input_words(source: str) -> str:
+    name, _, threads = source.replace("_", " ").partition("/threads:")
+    return f"{name}, {threads} threads" if threads else name
 
 
 def all_tables(data: Measurements, source: str, count: int) -> str:
@@ -140,15 +150,15 @@ def all_tables(data: Measurements, source: str, count: int) -> str:
     parts = []
     for other in unique((r.speed.input, r.speed.count) for r in data.results):
         if other != (source, count):
-            title = f"{other[0].replace('/', ', ').replace('_', ' ')}, {other[1]:,} samples a call".replace(",", " ", 0)
+            title = f"{input_words(other[0])}, {grouped(other[1])} samples a call"
             parts.append(f"<details><summary>{text(title)}</summary>{main_table(data, *other)}</details>\n")
     return "".join(parts)
 
 
 def error_cells(row: ErrorRow) -> list[str]:
-    distances = ["any"] * 3 if row.undefined else [error_number(v) for v in (row.mean_eps, row.p999_eps, row.max_eps)]
+    distances = ["–"] * 3 if row.undefined else [error_number(v) for v in (row.mean_eps, row.p999_eps, row.max_eps)]
     slope = "–" if row.slope_error is None else f"{row.slope_error:.1e}"
-    return [*distances, error_number(row.norm_eps), slope, f"{row.samples:,}".replace(",", " "),
+    return [*distances, error_number(row.norm_eps), slope, grouped(row.samples),
             f"<span class=bits>{text(row.worst_input)}</span>"]
 
 
@@ -182,8 +192,8 @@ def key_figures(data: Measurements, source: str, count: int) -> str:
     if not mine:
         return ""
     fastest = max(mine, key=lambda r: r.speed.msamples)
-    closest = min((r for r in mine if r.error and r.error.max_eps is not None), key=lambda r: (r.error.max_eps, r.speed.ns),
-                  default=None)
+    closest = min((r for r in mine if r.error and r.error.max_eps is not None), 
+                  key=lambda r: (r.error.max_eps, r.speed.ns), default=None)
     listing = next((r for r in data.results if (r.speed.operation, r.speed.warp, r.speed.isa) == LISTING and r.error), None)
     cards = [(f"{number(fastest.speed.msamples)} M/s",
               f"samples on one core, {nice(fastest.speed.warp)}, {nice(fastest.speed.isa)}, {source} input")]
@@ -193,8 +203,8 @@ def key_figures(data: Measurements, source: str, count: int) -> str:
         cards.append((f"{number(closest.error.max_eps)} ε",
                       f"largest error in any hard case, {nice(closest.speed.warp)} ({nice(closest.error.worst_row)})"))
     if listing:
-        cards.append((f"{error_number(listing.error.max_eps)} ε",
-                      f"largest error of the paper's listing ({nice(listing.error.worst_row)})"))
+        cards.append((f"{error_number(listing.error.shared_max_eps)} ε",
+                      f"largest error of the paper's listing, in its own domain ({nice(listing.error.shared_worst_row)})"))
     return "<div class=key>" + "".join(f"<div><b>{text(a)}</b><span>{text(b)}</span></div>" for a, b in cards) + "</div>"
 
 
@@ -218,16 +228,19 @@ def sample_note(data: Measurements) -> str:
     mine = max((e.samples for e in data.errors if data.is_ours(e.implementation)), default=0)
     theirs = max((e.samples for e in data.errors if data.is_peer(e.implementation)), default=0)
     isa = data.facts.get("measured_isa", "")
-    return (f"{mine:,} samples per hard case for the library and {theirs:,} for each peer".replace(",", " ")
+    return (f"{grouped(mine)} samples per hard case for the library and {grouped(theirs)} for each peer"
             + (f", the library's taken on {nice(isa)}: the other sets give the same bits, as the tests verify." if isa else "."))
 
 
 def render(data: Measurements, figures: Figures, machine: dict[str, Any], source: str, count: int) -> str:
     speed_figures = "".join(
-        figure(svg, f"Each point is one implementation on the {text(source)} input, {count:,} samples a call. Up is faster, "
-                    "left is closer to the exact normal, and both axes are logarithmic: one tick to the left is ten times "
-                    "closer. The library has the same error on every instruction set, because it has the same bits; so "
-                    "each warp is one vertical line. What lies below and to the right of the green line is beaten in both."
+        figure(svg, f"Each point is one implementation on the {text(source)} input, {grouped(count)} samples a call. Up is "
+                    "faster, left is closer to the exact normal. Both axes are logarithmic: one decade to the left is ten "
+                    "times closer. A point stands at the largest error over the hard cases that every peer promises to "
+                    "accept (unit views above the horizon, alpha at most 1); the tick left of it is the largest error over "
+                    "the typical case alone. The library has the same error on every instruction set, because it has the "
+                    "same bits, so each of its warps is one vertical line. What lies below and to the right of the green line is "
+                    "beaten in both. A hollow cross samples another distribution and is shown for its speed."
                     + fit_note(data))
         for svg in figures.speed_against_error
     )
@@ -241,8 +254,8 @@ def render(data: Measurements, figures: Figures, machine: dict[str, Any], source
         figure(svg, "Each line runs from the mean error to the largest, the tick on it marks the 99.9th percentile, and the "
                     "dot is the worst sample. An ε is 2⁻²⁴, half a unit in the last place of 1: nothing stored in a float "
                     "does much better than 1. A short line at the left says that this case is not hard any more; a dot "
-                    "near ten million says that a normal points anywhere. A hollow dot stands for a result that is not a "
-                    "number, or for a case where no single normal is right.")
+                    "near ten million says that a normal points anywhere. A hollow dot stands for results that are not "
+                    "numbers. The view exactly from below is left out: no normal is visible there, any unit one is right.")
         for svg in figures.error_per_case
     )
     return f"""<!DOCTYPE html>
@@ -265,10 +278,13 @@ compare. Everything here was measured in one run on one machine.</p>
 {peer_list(data)}
 
 <h2>The numbers</h2>
-<p>{text(source.capitalize())} input, {count:,} samples a call, columns aligned to 64 bytes, one core; medians of interleaved
-repetitions. “× listing” is the speed in units of the paper's listing on the same data, “of the copy” the share of the
+<p>{text(source.capitalize())} input, {grouped(count)} samples a call, columns aligned to 64 bytes, one core; medians of interleaved
+repetitions. Nanoseconds
+are per sample, M/s are million samples per second. “× listing” is the speed in units of the paper's listing on the same data, “of copy” the share of the
 speed at which the same columns are merely copied. Errors are distances from the exact normal of the same float inputs in
-ε = 2⁻²⁴, over all hard cases: the mean of their means, the largest 99.9th percentile, the largest of all.
+ε = 2⁻²⁴, over all hard cases: the mean of their means, the largest 99.9th percentile, the largest of all. “Shared” are
+the hard cases that every peer promises to accept: unit views above the horizon, alpha at most 1. NaN: some result was not
+a finite number.
 {sample_note(data)}</p>
 {main_table(data, source, count)}
 {all_tables(data, source, count)}
@@ -279,6 +295,7 @@ speed at which the same columns are merely copied. Errors are distances from the
 <h2>Where others lose their digits</h2>
 {errors}
 {case_list(data)}
+<h3>Every implementation</h3>
 {error_tables(data)}
 
 <h2>What the maps do to a square</h2>

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, Callable, Iterable, Optional
 
 import theme
-from results import EPS, LISTING, ROOFLINE, ErrorRow, Measurements, Result, or_worst, unique
+from results import EPS, LISTING, ErrorRow, Measurements, Result, copy_ns, or_worst, unique
 
 import matplotlib.pyplot as plt
 from matplotlib.axes import Axes
@@ -19,12 +19,27 @@ from matplotlib.ticker import FixedLocator, FuncFormatter, NullFormatter, NullLo
 from matplotlib.transforms import Bbox
 
 MARKERS = ["o", "s", "^", "D", "v", "P"]
-NICE_ISA = {"sse42": "SSE4.2", "avx2": "AVX2", "avx512": "AVX-512", "avx512skx": "AVX-512", "sse4": "SSE4"}
+NICE = {
+    "sse42": "SSE4.2",
+    "avx2": "AVX2",
+    "avx512": "AVX-512",
+    "heitz_2017": "Heitz 2017",
+    "heitz_deon_2014": "Heitz, d’Eon 2014",
+    "ndf_walter_2007": "NDF, Walter 2007",
+    "ispc_listing": "ISPC listing",
+    "ispc_caps": "ISPC caps",
+    "spherical_cap_listing": "caps listing",
+    "paper_listing_fast": "fast listing",
+    "plus_z": "exactly +z",
+    "minus_z": "exactly −z",
+    "near_plus_z": "near +z",
+    "near_minus_z": "near −z",
+}
 
 
 def nice(word: str) -> str:
     """A name as people write it."""
-    return NICE_ISA.get(word, word.replace("_", " "))
+    return NICE.get(word, word.replace("_", " "))
 
 
 def short(value: float) -> str:
@@ -33,6 +48,11 @@ def short(value: float) -> str:
         if value >= limit:
             return f"{value / limit:g}{unit}"
     return f"{value:g}"
+
+
+def grouped(value: int) -> str:
+    """Thousands apart by narrow spaces."""
+    return f"{value:,}".replace(",", "\u202f")
 
 
 def log_axis(axis: Any, low: float, high: float, steps: Iterable[float] = (1,)) -> None:
@@ -55,6 +75,7 @@ class Label:
     y: float
     role: str
     bold: bool = False
+    start: float = 0.0  # where the line to its point begins, along x
 
 
 def overlap(a: Bbox, b: Bbox) -> float:
@@ -63,18 +84,27 @@ def overlap(a: Bbox, b: Bbox) -> float:
     return max(width, 0.0) * max(height, 0.0)
 
 
-def place_labels(axes: Axes, labels: list[Label], obstacles: list[tuple[float, float]]) -> None:
+def obstacles(axes: Axes, labels: list[Label], scale: float) -> list[Bbox]:
+    """The points, and the lines that lead to them."""
+    boxes = []
+    for label in labels:
+        (start, _), (x, y) = axes.transData.transform([(label.start, label.y), (label.x, label.y)])
+        boxes.append(Bbox.from_extents(x - 4.5 * scale, y - 4.5 * scale, x + 4.5 * scale, y + 4.5 * scale))
+        boxes.append(Bbox.from_extents(start - 2 * scale, y - scale, x, y + scale))
+    return boxes
+
+
+def place_labels(axes: Axes, labels: list[Label]) -> None:
     """Writes each label where it covers no point and no other label, near its point; a thin line leads to it if far."""
     figure = axes.figure
     figure.canvas.draw()
     renderer = figure.canvas.get_renderer()
     scale = figure.dpi / 72
     frame = axes.get_window_extent(renderer)
-    taken = [Bbox.from_bounds(x - 4.5 * scale, y - 4.5 * scale, 9 * scale, 9 * scale)
-             for x, y in axes.transData.transform(obstacles)]
+    taken = obstacles(axes, labels, scale)
     for label in sorted(labels, key=lambda item: (not item.bold, -item.y)):
         text = axes.text(label.x, label.y, label.text, color=theme.color(label.role), fontsize=8.2,
-                         fontweight="bold" if label.bold else "normal", va="center_baseline")
+                         fontweight="bold" if label.bold else "normal", va="center_baseline", gid=theme.HALO)
         size = text.get_window_extent(renderer)
         at_x, at_y = axes.transData.transform((label.x, label.y))
         best: Optional[tuple[float, Bbox, float, float]] = None
@@ -129,8 +159,7 @@ def label_of(data: Measurements, result: Result) -> str:
     if data.is_ours(speed.operation):
         return f"{nice(speed.isa)} {nice(speed.warp)}"
     name = nice(speed.operation)
-    name += "" if speed.isa == "scalar" else f" {nice(speed.isa)}"
-    return name + (" (NaN)" if result.error and result.error.max_eps is None else "")
+    return name if speed.isa == "scalar" else f"{name} {nice(speed.isa)}"
 
 
 def speed_against_error(data: Measurements, operation: str, source: str, count: int) -> Optional[str]:
@@ -140,15 +169,18 @@ def speed_against_error(data: Measurements, operation: str, source: str, count: 
     figure, axes = plt.subplots(figsize=(9, 5.6))
     axes.set_xscale("log")
     axes.set_yscale("log")
-    points = [(or_worst(row.error.max_eps), row.speed.msamples) for row in rows]
+    points = [(or_worst(row.error.shared_max_eps), row.speed.msamples) for row in rows]
+    typical = [or_worst(row.error.typical_max_eps) for row in rows]
+    # A peer that samples something else is shown, but beats nobody.
+    rivals = [data.peers.get(row.speed.operation, operation) == operation for row in rows]
     warps = unique(row.speed.warp for row in rows if data.is_ours(row.speed.operation))
 
     errors, speeds = zip(*points)
-    roof = best_roofline(data, count)
-    axes.set_xlim(min(errors) / 12, max(max(errors) * 6, 1e5))
+    roof = roofline_by_count(data, operation).get(count)
+    axes.set_xlim(min(typical) / 12, max(max(errors) * 30, 1e5))
     axes.set_ylim(min(speeds) / 1.6, max(speeds + ((roof,) if roof else ())) * 1.35)
 
-    front = pareto_front(points)
+    front = pareto_front([point for point, rival in zip(points, rivals) if rival])
     steps = [(front[0][0], axes.get_ylim()[0]), *front, (axes.get_xlim()[1], front[-1][1])]
     axes.step(*zip(*steps), where="post", color=theme.color("front"), lw=5, alpha=0.22, solid_joinstyle="round", zorder=1)
     if roof:
@@ -158,14 +190,16 @@ def speed_against_error(data: Measurements, operation: str, source: str, count: 
                       ha="right", va="top", fontsize=8)
 
     labels = []
-    for row, (error, speed) in zip(rows, points):
+    for row, (error, speed), easy, rival in zip(rows, points, typical, rivals):
         ours = data.is_ours(row.speed.operation)
         role = "accent" if ours else "peer"
         marker = MARKERS[warps.index(row.speed.warp) % len(MARKERS)] if ours else "X"
         on_front = (error, speed) in front
-        axes.plot(error, speed, marker, ms=7.5 if ours else 6.5, mfc=theme.color(role), mew=1.6 if on_front else 0.8, zorder=3,
-                  mec=theme.color("front" if on_front else "panel"))
-        labels.append(Label(label_of(data, row), error, speed, role, bold=on_front))
+        axes.plot([easy, error], [speed, speed], color=theme.color(role), lw=0.8, alpha=0.45, zorder=1)
+        axes.plot(easy, speed, "|", color=theme.color(role), ms=6, mew=1.2, alpha=0.8, zorder=2)
+        axes.plot(error, speed, marker, ms=7.5 if ours else 6.5, mfc=theme.color(role if rival else "panel"), mew=1.6 if on_front else 0.8, zorder=3,
+                  mec=theme.color("front" if on_front else "panel" if rival else role))
+        labels.append(Label(label_of(data, row), error, speed, role, bold=on_front, start=easy))
     for index, warp in enumerate(warps):
         mine = sorted((s, e) for row, (e, s) in zip(rows, points)
                       if data.is_ours(row.speed.operation) and row.speed.warp == warp)
@@ -174,9 +208,9 @@ def speed_against_error(data: Measurements, operation: str, source: str, count: 
     axes.plot([], [], "X", color=theme.color("peer"), ms=6.5, label="peers")
     axes.plot([], [], color=theme.color("front"), lw=5, alpha=0.3, label="Pareto front: nothing is both faster and closer")
 
-    log_axis(axes.xaxis, *axes.get_xlim())
+    log_axis(axes.xaxis, axes.get_xlim()[0], 2 / EPS)
     log_axis(axes.yaxis, *axes.get_ylim(), steps=(1, 2, 5))
-    axes.set_xlabel("largest error over all hard cases, in units of 2⁻²⁴ (left is better)")
+    axes.set_xlabel("largest error over the hard cases, in units of 2⁻²⁴ (left is better); the tick on its left: over the typical case")
     axes.set_ylabel("million samples per second, one core (up is better)")
     distance = axes.secondary_xaxis("top", functions=(lambda eps: eps * EPS, lambda d: d / EPS))
     distance.xaxis.set_major_locator(FixedLocator([10.0**-k for k in range(8)]))
@@ -186,13 +220,8 @@ def speed_against_error(data: Measurements, operation: str, source: str, count: 
     distance.spines["top"].set_visible(False)
     axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncol=5, fontsize=8.2, handletextpad=0.4, columnspacing=1.4)
     figure.subplots_adjust(left=0.075, right=0.985, top=0.9, bottom=0.17)
-    place_labels(axes, labels, points)
+    place_labels(axes, labels)
     return theme.to_svg(figure, f"Speed of {nice(operation)} and of its peers against the largest error over all hard cases")
-
-
-def best_roofline(data: Measurements, count: int) -> Optional[float]:
-    rates = [speed.msamples for speed in data.speeds if speed.operation == ROOFLINE and speed.count == count]
-    return max(rates, default=None)
 
 
 # --- Throughput against batch size ---------------------------------------------------------------------------------
@@ -204,12 +233,12 @@ def throughput(data: Measurements, operation: str, source: str) -> Optional[str]
     counts = sorted({s.count for s in mine})
     if len(counts) < 2:
         return None
-    figure, panels = plt.subplots(1, len(warps), figsize=(3.1 * max(len(warps), 2), 3.7), sharey=True, squeeze=False)
+    figure, panels = plt.subplots(1, len(warps), figsize=(9, 3.7), sharey=True, squeeze=False)
     for axes, warp in zip(panels[0], warps):
         axes.set_xscale("log", base=2)
         axes.set_yscale("log")
         axes.set_title(nice(warp))
-        draw_line(axes, roofline_by_count(data), "soft", "copy", dashed=True)
+        draw_line(axes, roofline_by_count(data, operation), "soft", "copy", dashed=True)
         listing = [s for s in data.speeds if (s.operation, s.warp, s.isa) == LISTING and s.input == source]
         if data.peer_operation == operation:
             draw_line(axes, {s.count: s.msamples for s in listing}, "peer", "paper listing")
@@ -237,9 +266,11 @@ def binary(count: float) -> str:
     return f"{count:g}"
 
 
-def roofline_by_count(data: Measurements) -> dict[int, float]:
-    counts = {speed.count for speed in data.speeds if speed.operation == ROOFLINE}
-    return {count: best_roofline(data, count) or 0 for count in counts}
+def roofline_by_count(data: Measurements, operation: str) -> dict[int, float]:
+    """Million samples per second of the copy of the operation's columns."""
+    traffic = next((s.bytes for s in data.speeds if s.operation == operation), None)
+    times = {count: copy_ns(data, operation, traffic, count) for count in sorted({s.count for s in data.speeds})}
+    return {count: 1e3 / ns for count, ns in times.items() if ns}
 
 
 def draw_line(axes: Axes, series: dict[int, float], role: str, label: str, dashed: bool = False) -> None:
@@ -255,17 +286,20 @@ def draw_line(axes: Axes, series: dict[int, float], role: str, label: str, dashe
 def error_per_case(data: Measurements, operation: str) -> Optional[str]:
     """One line per hard case and implementation, from the mean to the maximum with a tick at p99.9."""
     mine = [e for e in data.errors if e.implementation == operation]
-    cases = unique(e.row for e in mine)
+    cases = unique(e.row for e in mine if not e.undefined)
     if not cases:
         return None
     series = [(operation, warp, f"vndf, {nice(warp)}", f"cat{index}") for index, warp in enumerate(unique(e.warp for e in mine))]
+    scalar_peers = [e for e in data.errors if e.isa == "scalar" and e.warp in {e.warp for e in mine}]
     if operation == data.peer_operation:
-        series.append((LISTING[0], LISTING[1], "the paper's listing", "peer"))
+        for index, (name, warp) in enumerate(unique((e.implementation, e.warp) for e in scalar_peers)):
+            series.append((name, warp, nice(name), ("peer", "cat3")[index % 2]))
     figure, axes = plt.subplots(figsize=(9, 1.3 + 0.115 * len(cases) * (len(series) + 1.2)))
     axes.set_xscale("log")
     step = 1 / (len(series) + 1.2)
     for index, (implementation, warp, label, role) in enumerate(series):
-        for row in (e for e in data.errors if e.implementation == implementation and e.warp == warp and e.row in cases):
+        rows = [e for e in data.errors if (e.implementation, e.warp) == (implementation, warp) and e.row in cases]
+        for row in rows:
             draw_case(axes, row, cases.index(row.row) + (index - (len(series) - 1) / 2) * step, role)
         axes.plot([], [], "o-", color=theme.color(role), ms=4.5, lw=1.2, label=label)
     axes.set_yticks(range(len(cases)), [nice(case) for case in cases])
@@ -274,8 +308,7 @@ def error_per_case(data: Measurements, operation: str) -> Optional[str]:
     axes.grid(axis="y", visible=False)
     for index in range(0, len(cases), 2):
         axes.axhspan(index - 0.5, index + 0.5, color=theme.color("line"), alpha=0.22, lw=0)
-    shown = [or_worst(e.max_eps) for e in data.errors if e.row in cases and e.implementation in (operation, LISTING[0])]
-    axes.set_xlim(0.08, max(max(shown) * 3, 1e5))
+    axes.set_xlim(0.08, 9e7)
     log_axis(axes.xaxis, *axes.get_xlim())
     axes.set_xlabel("error in units of 2⁻²⁴: line from the mean, tick at p99.9, dot at the maximum (left is better)")
     figure.legend(loc="upper right", ncol=len(series), fontsize=8.5, bbox_to_anchor=(0.99, 1.0))
@@ -290,7 +323,7 @@ def draw_case(axes: Axes, row: ErrorRow, y: float, role: str) -> None:
     mean, p999, worst = (max(or_worst(value), low) for value in (row.mean_eps, row.p999_eps, row.max_eps))
     axes.plot([mean, worst], [y, y], color=color, lw=1.2, alpha=0.8, solid_capstyle="butt")
     axes.plot([p999], [y], "|", color=color, ms=5, mew=1.2)
-    hollow = row.undefined or row.max_eps is None
+    hollow = row.max_eps is None
     axes.plot([worst], [y], "o", mec=color, mfc=theme.color("panel") if hollow else color, ms=4.5, mew=1)
 
 
@@ -319,12 +352,12 @@ def warped_square(warps: dict[str, Any], kind: str) -> str:
 
 
 def window_of(warps: dict[str, Any], degrees: float) -> tuple[float, float, float, float]:
-    """A square that shows nine points of ten: slopes have no bound."""
+    """A square that shows most points: slopes have no bound."""
     points = [point for entry in warps["maps"] if entry["degrees"] == degrees for point in entry["points"]]
     ranges = []
     for axis in (0, 1):
         values = sorted(point[axis] for point in points)
-        ranges.append((values[len(values) // 40], values[-len(values) // 40]))
+        ranges.append((values[len(values) // 14], values[-len(values) // 14]))
     half = max(high - low for low, high in ranges) / 2 * 1.1
     (x0, x1), (y0, y1) = ranges
     return (x0 + x1) / 2 - half, (x0 + x1) / 2 + half, (y0 + y1) / 2 - half, (y0 + y1) / 2 + half

@@ -33,7 +33,7 @@ def print_table(data: results.Measurements) -> None:
     print(f"\n{INPUT}/{COUNT}, one core, errors over all hard cases in units of 2^-24")
     print(f"{'':<44}{'ns':>8}{'M/s':>9}{'x listing':>11}{'of copy':>9}{'mean':>10}{'p99.9':>10}{'max':>10}  worst")
     chosen = [r for r in data.results if r.speed.input == INPUT and r.speed.count == COUNT]
-    for result in page.grouped(data, chosen):
+    for result in page.in_groups(data, chosen):
         speed, error = result.speed, result.error
         name = f"{speed.operation} {speed.warp} {speed.isa}"
         line = f"{name:<44}{speed.ns:8.3f}{speed.msamples:9.1f}"

@@ -49,7 +49,7 @@ class ErrorRow:
     slope_error: Optional[float]
     worst_input: str
     undefined: bool = False  # no single right answer exists: any unit normal will do
-    nonfinite: int = 0
+    shared_domain: bool = False  # unit views above the horizon, alpha at most 1: what every peer promises to accept
 
 
 @dataclass(frozen=True)
@@ -60,6 +60,9 @@ class ErrorSummary:
     p999_eps: Optional[float]
     max_eps: Optional[float]
     worst_row: str
+    shared_max_eps: Optional[float]  # over the cases of the shared domain
+    shared_worst_row: str
+    typical_max_eps: Optional[float]  # of the first case, which is not hard
 
 
 @dataclass(frozen=True)
@@ -158,7 +161,7 @@ def read_errors(path: Path) -> dict[str, Any]:
             slope_error=finite(row.get("slope_error")),
             worst_input=row["worst_input"],
             undefined=row.get("undefined", False),
-            nonfinite=row.get("nonfinite", 0),
+            shared_domain=row.get("shared_domain", False),
         )
         for row in document["rows"]
     ]
@@ -174,13 +177,21 @@ def summarise(rows: list[ErrorRow]) -> Optional[ErrorSummary]:
     if not rows:
         return None
     means = [row.mean_eps for row in rows]
-    worst = max(rows, key=lambda row: (or_worst(row.max_eps), or_worst(row.mean_eps)))
+    worst = worst_of(rows)
+    shared = worst_of([row for row in rows if row.shared_domain] or rows)
     return ErrorSummary(
         mean_eps=None if None in means else sum(means) / len(means),
         p999_eps=largest(row.p999_eps for row in rows),
         max_eps=worst.max_eps,
         worst_row=worst.row,
+        shared_max_eps=shared.max_eps,
+        shared_worst_row=shared.row,
+        typical_max_eps=rows[0].max_eps,
     )
+
+
+def worst_of(rows: list[ErrorRow]) -> ErrorRow:
+    return max(rows, key=lambda row: (or_worst(row.max_eps), or_worst(row.mean_eps)))
 
 
 def largest(values: Iterable[Optional[float]]) -> Optional[float]:
@@ -193,30 +204,31 @@ def or_worst(eps: Optional[float]) -> float:
     return WORST_EPS if eps is None else eps
 
 
-def roofline_share(speed: Speed, copies: list[Speed]) -> Optional[float]:
-    """The time of the best copy of as many columns as a share of this time; by bytes where the traffic differs."""
+def copy_ns(data: Measurements, operation: str, traffic: Optional[float], count: int) -> Optional[float]:
+    """The time per sample of the best copy of the columns that the operation reads and writes."""
+    # Threads add up; the roofline is that of one.
+    copies = [s for s in data.speeds if s.operation == ROOFLINE and s.count == count and "threads" not in s.input]
     if not copies:
         return None
     best = min(copies, key=lambda copy: copy.ns)
-    traffic = speed.bytes / best.bytes if speed.bytes and best.bytes else 1.0
-    return best.ns * traffic / speed.ns
+    if traffic and best.bytes:
+        return best.ns * traffic / best.bytes
+    # The copy is that of the operation that the peers do, too. Of others it tells nothing without their traffic.
+    same = operation in (data.peer_operation, ROOFLINE) or data.is_peer(operation)
+    return best.ns if same else None
 
 
 def join(data: Measurements) -> None:
     """Fills data.results: each speed with its ratios and its errors."""
     listing = {(s.input, s.count): s.ns for s in data.speeds if (s.operation, s.warp, s.isa) == LISTING}
-    copies: dict[int, list[Speed]] = {}
     for speed in data.speeds:
-        # Threads add up; the roofline is that of one.
-        if speed.operation == ROOFLINE and "threads" not in speed.input:
-            copies.setdefault(speed.count, []).append(speed)
-    for speed in data.speeds:
+        roof = copy_ns(data, speed.operation, speed.bytes, speed.count)
         base = listing.get((speed.input.split("/")[0], speed.count))
         data.results.append(
             Result(
                 speed=speed,
                 vs_listing=base / speed.ns if base else None,
-                roofline_share=roofline_share(speed, copies.get(speed.count, [])),
+                roofline_share=roof / speed.ns if roof else None,
                 error=summarise(data.errors_of(speed.operation, speed.warp, speed.isa)),
             )
         )

@@ -39,6 +39,8 @@ PALETTE = {
     "cat3": ("#9a6700", "#e3b341"),
 }
 MARK = {role: f"#f0f1{index:02x}" for index, role in enumerate(PALETTE)}
+# Gives a text a rim of the ground's colour, so that lines behind it do not strike it out.
+HALO = "halo"
 FONT_STACK = "system-ui, -apple-system, 'Segoe UI', 'Helvetica Neue', Arial, sans-serif"
 
 
@@ -109,6 +111,9 @@ def to_svg(figure: Figure, label: str) -> str:
     text = re.sub(r' id="(?!m|p|C)[a-zA-Z]+[A-Za-z0-9]*_\d+"', "", text)
     text = re.sub(r"'DejaVu Sans'[^;\"]*", FONT_STACK, text)
     text = re.sub(r"(\d+\.\d\d)\d+", r"\1", text)
+    ground = PALETTE["panel"][0]
+    rim = f"paint-order:stroke;stroke:{ground};stroke:var(--panel);stroke-width:3px;stroke-linejoin:round"
+    text = text.replace(f'<g id="{HALO}">', f'<g style="{rim}">')
     for role, mark in MARK.items():
         light = PALETTE[role][0]
         text = re.sub(rf"(fill|stroke): ?{mark}", rf"\1:{light};\1:var(--{role})", text)

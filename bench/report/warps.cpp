@@ -129,6 +129,30 @@ bool finite(const std::vector<Point>& points) {
   return true;
 }
 
+/// Appends what of (from, to] is needed to stay within a hair of all points between, seen from the distance at which a
+/// figure is drawn: the outer parts of the plane are shown smaller or not at all.
+void simplify(const std::vector<Point>& points, std::size_t from, std::size_t to, std::vector<Point>& out) {
+  Point a = points[from], b = points[to];
+  double dx = double(b.x) - a.x, dy = double(b.y) - a.y, length = std::hypot(dx, dy);
+  std::size_t farthest = from;
+  double largest = 1;
+  for (std::size_t i = from + 1; i < to; ++i) {
+    double px = double(points[i].x) - a.x, py = double(points[i].y) - a.y;
+    double off = length > 0 ? std::fabs(px * dy - py * dx) / length : std::hypot(px, py);
+    off /= 0.003 * (1 + std::hypot(points[i].x, points[i].y));
+    if (off > largest) {
+      largest = off;
+      farthest = i;
+    }
+  }
+  if (farthest == from) {
+    out.push_back(b);
+  } else {
+    simplify(points, from, farthest, out);
+    simplify(points, farthest, to, out);
+  }
+}
+
 void write(std::FILE* file, const std::vector<Point>& points) {
   const char* separator = "[";
   for (const Point& p : points) {
@@ -174,11 +198,14 @@ int main(int argc, char** argv) {
       write(file, map.map(point_set(points), degrees));
       std::fputs(",\n\"checker\": [", file);
       separator = "\n";
-      for (const std::vector<Point>& cell : checker(12, 8)) {
+      for (const std::vector<Point>& cell : checker(12, 48)) {
         std::vector<Point> warped = map.map(cell, degrees);
         if (!finite(warped)) continue;
+        warped.push_back(warped.front());
+        std::vector<Point> outline = {warped.front()};
+        simplify(warped, 0, warped.size() - 1, outline);
         std::fputs(separator, file);
-        write(file, warped);
+        write(file, outline);
         separator = ",\n";
       }
       std::fputs("]}", file);
