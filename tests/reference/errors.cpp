@@ -31,7 +31,10 @@ NormalErrors measure(const Inputs& in, const OracleNormals& oracle, const float*
     distances[i] = float(distance);
     errors.mean += distance;
     keep_larger(distance, i, errors.max, errors.worst);
-    keep_larger(or_infinite(std::sqrt(slope_x * slope_x + slope_y * slope_y)), i, errors.max_slope, errors.worst_slope);
+    double slope = or_infinite(std::sqrt(slope_x * slope_x + slope_y * slope_y));
+    double steepness = std::hypot(oracle.x[i] / in.alpha_x[i], oracle.y[i] / in.alpha_y[i]);
+    errors.max_slope = std::max(errors.max_slope, slope);
+    keep_larger(slope / std::max(1., steepness / 1000), i, errors.max_resolved_slope, errors.worst_slope);
     keep_larger(or_infinite(std::fabs(std::sqrt(x * x + y * y + z * z) - 1) / kEps), i, errors.max_norm,
                 errors.worst_norm);
   }

@@ -192,6 +192,24 @@ OracleNormal oracle_normal(Warp warp, const float wo[3], const float alpha[2], c
   return normal.uncertainty <= enough ? normal : oracle_normal_quad(warp, wo, alpha, u);
 }
 
+Conditioning conditioning(Warp warp, const float wo[3], const float alpha[2], const float u[2]) {
+  float inputs[7] = {wo[0], wo[1], wo[2], alpha[0], alpha[1], u[0], u[1]};
+  OracleNormal exact = oracle_normal(warp, wo, alpha, u);
+  Conditioning result{};
+  for (int i = 0; i < 7; ++i) {
+    float kept = inputs[i];
+    double moved = 0;
+    for (float towards : {-HUGE_VALF, HUGE_VALF}) {
+      inputs[i] = std::nextafter(kept, towards);
+      OracleNormal other = oracle_normal(warp, inputs, inputs + 3, inputs + 5);
+      moved = std::max(moved, std::hypot(other.x - exact.x, other.y - exact.y, other.z - exact.z) / 2);
+    }
+    inputs[i] = kept;
+    (i < 5 ? result.view : result.u) += moved;
+  }
+  return result;
+}
+
 OracleNormals oracle_normals(Warp warp, const Inputs& in) {
   OracleNormals out;
   out.x.resize(in.size());

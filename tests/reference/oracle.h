@@ -23,6 +23,16 @@ struct OracleNormal {
 /// Evaluated in long double; where the formulas cancel too many of its digits, in __float128 where there is one.
 OracleNormal oracle_normal(Warp warp, const float wo[3], const float alpha[2], const float u[2]);
 
+/// How far the exact normal moves, Euclidean, when inputs move by half a unit of their last place, summed over the
+/// inputs. A computation in float cannot be expected to do much better than `view`: the products alpha wo, with which
+/// eq. 5 begins, are rounded already.
+struct Conditioning {
+  double view;  ///< wo and alpha
+  double u;
+};
+
+Conditioning conditioning(Warp warp, const float wo[3], const float alpha[2], const float u[2]);
+
 struct OracleNormals {
   std::vector<double> x, y, z;
   double uncertainty = 0;  ///< the largest
