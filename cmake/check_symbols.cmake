@@ -2,7 +2,11 @@
 # exported could be the copy that a linker keeps for the whole program, and would then run where its instructions do not
 # exist. Weak symbols are harmless where their name holds the set's own namespace: no other object has them.
 #   cmake -DNM=nm -DISA=avx2 "-DOBJECTS=a.o;b.o" -P check_symbols.cmake
-set(table _ZN4vndf[0-9]+kernels_${ISA}E)
+# Mangled names carry the length of each part, so that sse4 is not found in sse42.
+string(LENGTH kernels_${ISA} length)
+math(EXPR xsimd_length "${length} + 6")
+set(table ^_?_ZN4vndf${length}kernels_${ISA}E$)
+set(own_namespace "[^0-9](${length}kernels_${ISA}|${xsimd_length}xsimd_kernels_${ISA})")
 set(tables 0)
 set(leaks "")
 foreach(object IN LISTS OBJECTS)
@@ -13,9 +17,11 @@ foreach(object IN LISTS OBJECTS)
     if(NOT symbol MATCHES "^([^ ]+) ([A-Za-z])")
       message(FATAL_ERROR "${NM} says what is not understood: ${symbol}")
     endif()
-    if(CMAKE_MATCH_1 MATCHES "^_?${table}$")
+    set(name "${CMAKE_MATCH_1}")
+    set(kind "${CMAKE_MATCH_2}")
+    if(name MATCHES "${table}")
       math(EXPR tables "${tables} + 1")
-    elseif(NOT (CMAKE_MATCH_2 MATCHES "[VWuvw]" AND CMAKE_MATCH_1 MATCHES "[0-9](xsimd_)?kernels_${ISA}[^a-z0-9_]"))
+    elseif(NOT (kind MATCHES "[VWuvw]" AND name MATCHES "${own_namespace}"))
       string(APPEND leaks "\n  ${symbol}")
     endif()
   endforeach()
