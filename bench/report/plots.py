@@ -75,7 +75,6 @@ class Label:
     y: float
     role: str
     bold: bool = False
-    start: float = 0.0  # where the line to its point begins, along x
 
 
 def overlap(a: Bbox, b: Bbox) -> float:
@@ -84,24 +83,28 @@ def overlap(a: Bbox, b: Bbox) -> float:
     return max(width, 0.0) * max(height, 0.0)
 
 
-def obstacles(axes: Axes, labels: list[Label], scale: float) -> list[Bbox]:
-    """The points, and the lines that lead to them."""
+def obstacles(axes: Axes, labels: list[Label], lines: list[list[tuple[float, float]]],
+              scale: float) -> list[tuple[Bbox, float]]:
+    """The points and the upright or level lines, each with the weight of covering it: a line may be crossed at need."""
     boxes = []
     for label in labels:
-        (start, _), (x, y) = axes.transData.transform([(label.start, label.y), (label.x, label.y)])
-        boxes.append(Bbox.from_extents(x - 4.5 * scale, y - 4.5 * scale, x + 4.5 * scale, y + 4.5 * scale))
-        boxes.append(Bbox.from_extents(start - 2 * scale, y - scale, x, y + scale))
+        x, y = axes.transData.transform((label.x, label.y))
+        boxes.append((Bbox.from_extents(x - 4.5 * scale, y - 4.5 * scale, x + 4.5 * scale, y + 4.5 * scale), 1.0))
+    for line in lines:
+        (x0, y0), (x1, y1) = axes.transData.transform([line[0], line[-1]])
+        boxes.append((Bbox.from_extents(min(x0, x1) - scale, min(y0, y1) - scale, max(x0, x1) + scale,
+                                        max(y0, y1) + scale), 0.12))
     return boxes
 
 
-def place_labels(axes: Axes, labels: list[Label]) -> None:
+def place_labels(axes: Axes, labels: list[Label], lines: list[list[tuple[float, float]]]) -> None:
     """Writes each label where it covers no point and no other label, near its point; a thin line leads to it if far."""
     figure = axes.figure
     figure.canvas.draw()
     renderer = figure.canvas.get_renderer()
     scale = figure.dpi / 72
     frame = axes.get_window_extent(renderer)
-    taken = obstacles(axes, labels, scale)
+    taken = obstacles(axes, labels, lines, scale)
     for label in sorted(labels, key=lambda item: (not item.bold, -item.y)):
         text = axes.text(label.x, label.y, label.text, color=theme.color(label.role), fontsize=8.2,
                          fontweight="bold" if label.bold else "normal", va="center_baseline", gid=theme.HALO)
@@ -116,7 +119,7 @@ def place_labels(axes: Axes, labels: list[Label]) -> None:
                 shift = 0.0 if math.cos(angle) > 0.3 else -1.0 if math.cos(angle) < -0.3 else -0.5
                 box = Bbox.from_bounds(at_x + dx + shift * size.width, at_y + dy - size.height / 2,
                                        size.width, size.height)
-                hidden = sum(overlap(box.padded(1.5), other) for other in taken)
+                hidden = sum(weight * overlap(box.padded(1.5), other) for other, weight in taken)
                 outside = size.width * size.height - overlap(box, frame)
                 cost = hidden + 4 * outside + 0.9 * distance * scale
                 if best is None or cost < best[0]:
@@ -124,7 +127,7 @@ def place_labels(axes: Axes, labels: list[Label]) -> None:
         assert best is not None
         _, box, dx, dy = best
         text.set_position(axes.transData.inverted().transform((box.x0, (box.y0 + box.y1) / 2)))
-        taken.append(box)
+        taken.append((box, 1.0))
         if math.hypot(dx, dy) > 12 * scale:
             ends = axes.transData.inverted().transform([(at_x + 0.35 * dx, at_y + 0.35 * dy),
                                                         (at_x + 0.93 * dx, at_y + 0.93 * dy)])
@@ -190,6 +193,7 @@ def speed_against_error(data: Measurements, operation: str, source: str, count: 
                       ha="right", va="top", fontsize=8)
 
     labels = []
+    lines = [[(error, min(speeds)), (error, speed)] for error, speed in front]
     for row, (error, speed), easy, rival in zip(rows, points, typical, rivals):
         ours = data.is_ours(row.speed.operation)
         role = "accent" if ours else "peer"
@@ -199,10 +203,12 @@ def speed_against_error(data: Measurements, operation: str, source: str, count: 
         axes.plot(easy, speed, "|", color=theme.color(role), ms=6, mew=1.2, alpha=0.8, zorder=2)
         axes.plot(error, speed, marker, ms=7.5 if ours else 6.5, mfc=theme.color(role if rival else "panel"), mew=1.6 if on_front else 0.8, zorder=3,
                   mec=theme.color("front" if on_front else "panel" if rival else role))
-        labels.append(Label(label_of(data, row), error, speed, role, bold=on_front, start=easy))
+        labels.append(Label(label_of(data, row), error, speed, role, bold=on_front))
+        lines.append([(easy, speed), (error, speed)])
     for index, warp in enumerate(warps):
         mine = sorted((s, e) for row, (e, s) in zip(rows, points)
                       if data.is_ours(row.speed.operation) and row.speed.warp == warp)
+        lines.append([(e, s) for s, e in mine])
         axes.plot([e for _, e in mine], [s for s, _ in mine], color=theme.color("accent"), lw=0.8, alpha=0.5, zorder=2)
         axes.plot([], [], MARKERS[index % len(MARKERS)], color=theme.color("accent"), ms=7, label=f"vndf, {nice(warp)}")
     axes.plot([], [], "X", color=theme.color("peer"), ms=6.5, label="peers")
@@ -220,7 +226,7 @@ def speed_against_error(data: Measurements, operation: str, source: str, count: 
     distance.spines["top"].set_visible(False)
     axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncol=5, fontsize=8.2, handletextpad=0.4, columnspacing=1.4)
     figure.subplots_adjust(left=0.075, right=0.985, top=0.9, bottom=0.17)
-    place_labels(axes, labels)
+    place_labels(axes, labels, lines)
     return theme.to_svg(figure, f"Speed of {nice(operation)} and of its peers against the largest error over all hard cases")
 
 
