@@ -10,6 +10,8 @@
 namespace vndf::testing {
 namespace {
 
+// More than any cache holds, which kernels may write past the caches, and a tail.
+constexpr std::size_t kHuge = (std::size_t(1) << 20) + 15;
 // More than one block of the kernels, and a tail for every vector width.
 constexpr std::size_t kMany = 2 * 256 + 15;
 
@@ -166,6 +168,48 @@ TEST_P(Columns, InPlace) {
     // The next choice of outputs; the order of the columns that stay does not matter.
     std::reverse(order.begin() + std::ptrdiff_t(operation().outputs), order.end());
   } while (std::next_permutation(order.begin(), order.end()));
+}
+
+// The sizes at which a kernel may take another path: aligned for it, misaligned in one output, and in place.
+TEST_P(Columns, HugeBatches) {
+  Table in = mixed_inputs(operation(), kHuge, 10);
+  Table expected = evaluate_on("scalar", operation(), prefix(in, kMany));
+  for (std::size_t begin = kMany; begin < kHuge; begin += kMany) {
+    Table part;
+    std::size_t end = std::min(begin + kMany, kHuge);
+    for (const auto& column : in)
+      part.emplace_back(column.begin() + std::ptrdiff_t(begin), column.begin() + std::ptrdiff_t(end));
+    Table results = evaluate_on("scalar", operation(), part);
+    for (std::size_t c = 0; c < results.size(); ++c)
+      expected[c].insert(expected[c].end(), results[c].begin(), results[c].end());
+  }
+  for (std::size_t misaligned = 0; misaligned <= operation().outputs; ++misaligned) {
+    std::vector<GuardedColumn> outputs;
+    std::vector<float*> to;
+    outputs.reserve(operation().outputs);
+    for (std::size_t c = 0; c < operation().outputs; ++c) {
+      outputs.emplace_back(kHuge, c + 1 == misaligned ? 1 : 0);
+      to.push_back(outputs.back().data());
+    }
+    operation().run(kHuge, columns(in).data(), to.data());
+    for (std::size_t c = 0; c < outputs.size(); ++c) {
+      EXPECT_TRUE(outputs[c].intact()) << "around output " << c;
+      ASSERT_TRUE(same_bits({expected[c]}, {outputs[c].values()}, in))
+          << "output " << c << ", misaligned " << misaligned;
+    }
+  }
+  std::vector<GuardedColumn> work;
+  std::vector<Column> from;
+  work.reserve(in.size());
+  for (const auto& column : in) {
+    work.emplace_back(column, 0);
+    from.push_back(work.back().data());
+  }
+  std::vector<float*> to;
+  for (std::size_t c = 0; c < operation().outputs; ++c) to.push_back(work[c].data());
+  operation().run(kHuge, from.data(), to.data());
+  for (std::size_t c = 0; c < operation().outputs; ++c)
+    ASSERT_TRUE(work[c].intact() && same_bits({expected[c]}, {work[c].values()}, in)) << "in place, output " << c;
 }
 
 // One column as several inputs (isotropic roughness), and as an output too.
