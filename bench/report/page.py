@@ -50,6 +50,7 @@ PEERS = {
     "spherical_cap_listing": "Dupuy and Benyoub 2023, as published, in plain float",
     "heitz_2017": "Heitz 2017, the older parameterisation by two half disks; views above the horizon only",
     "heitz_deon_2014": "Heitz and d'Eon 2014, slope space with a fitted curve; views above the horizon only",
+    "heitz_deon_2014_roots": "the same routine with square roots in place of the angle's sine and cosine",
     "ndf_walter_2007": "Walter et al. 2007: all normals, visible or not",
     "ispc_listing": "Heitz 2018, Listing 1, in ISPC, with its approximate reciprocal square root",
     "ispc_caps": "Dupuy and Benyoub 2023 in ISPC, with its approximate reciprocal square root",
@@ -303,8 +304,8 @@ a finite number.
         "(−x/z, −y/z) of a surface of roughness 1, seen from more and more grazing views. All maps give the same density, "
         "so equal cells have equal probability everywhere; they differ in the shape of the cells. Compact cells keep "
         "well spread random numbers well spread; long thin ones waste them. Cross-hairs mark slope 0.")}
-{figure(figures.points, "The same with 512 points of an evenly spread sequence. Clumps and holes that are not in the "
-        "density are the map's doing: concentric keeps the points most even.")}
+{figure(figures.points, "The same with 512 points of an evenly spread sequence. The density is the same in every "
+        "row of a column; rows of points and gaps between them are the map's doing.")}
 </main></body>
 </html>
 """

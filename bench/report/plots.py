@@ -25,6 +25,7 @@ NICE = {
     "avx512": "AVX-512",
     "heitz_2017": "Heitz 2017",
     "heitz_deon_2014": "Heitz, d’Eon 2014",
+    "heitz_deon_2014_roots": "2014, by roots",
     "ndf_walter_2007": "NDF, Walter 2007",
     "ispc_listing": "ISPC listing",
     "ispc_caps": "ISPC caps",
@@ -344,9 +345,9 @@ def warped_square(warps: dict[str, Any], kind: str) -> str:
         row, column = maps.index(entry["map"]), angles.index(entry["degrees"])
         axes = panels[row][column]
         if kind == "checker":
-            draw_checker(axes, entry["checker"], f"cat{row % 4}")
+            draw_checker(axes, entry["checker"], f"cat{row % 5}")
         else:
-            draw_points(axes, entry["points"], f"cat{row % 4}")
+            draw_points(axes, entry["points"], f"cat{row % 5}")
         frame_slopes(axes, window_of(warps, entry["degrees"]))
         if row == 0:
             axes.set_title(f"{entry['degrees']:g}° from the normal", fontsize=9, fontweight="normal", loc="center", pad=5)

@@ -37,6 +37,7 @@ PALETTE = {
     "cat1": ("#8250df", "#c297ff"),
     "cat2": ("#1a7f37", "#56d364"),
     "cat3": ("#9a6700", "#e3b341"),
+    "cat4": ("#bf3989", "#f778ba"),
 }
 MARK = {role: f"#f0f1{index:02x}" for index, role in enumerate(PALETTE)}
 # Gives a text a rim of the ground's colour, so that lines behind it do not strike it out.
@@ -47,14 +48,6 @@ FONT_STACK = "system-ui, -apple-system, 'Segoe UI', 'Helvetica Neue', Arial, san
 def color(role: str) -> str:
     """The colour to give matplotlib for a role."""
     return MARK[role]
-
-
-def sequence(index: int) -> str:
-    return color(f"seq{index % 6}")
-
-
-def category(index: int) -> str:
-    return color(f"cat{index % 4}")
 
 
 def css_variables() -> str:
