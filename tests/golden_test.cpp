@@ -62,9 +62,9 @@ TEST_P(GoldenBits, SampleNormals) {
   const struct {
     vndf::Warp warp;
     std::uint64_t hash;
-  } rows[] = {{vndf::Warp::polar, 0xdf1726a14e3f9f94u},
-              {vndf::Warp::concentric, 0x33cf48ea3579639du},
-              {vndf::Warp::spherical_cap, 0x9c7d730c71cc447eu}};
+  } rows[] = {{vndf::Warp::polar, 0x88ba893dcd6eaf59u},
+              {vndf::Warp::concentric, 0xd0b208d357b06beau},
+              {vndf::Warp::spherical_cap, 0x27b91041867f7au}};
   for (const auto& row : rows) {
     std::vector<float> x(kCount), y(kCount), z(kCount);
     vndf::sample_normals(row.warp, kCount, {in.wo_x.data(), in.wo_y.data(), in.wo_z.data()},
@@ -80,7 +80,7 @@ TEST_P(GoldenBits, SampleDisk) {
   const struct {
     vndf::DiskMap map;
     std::uint64_t hash;
-  } rows[] = {{vndf::DiskMap::polar, 0x3e569bfe0ea511ffu}, {vndf::DiskMap::concentric, 0xe94380873dc9e10du}};
+  } rows[] = {{vndf::DiskMap::polar, 0xa97693e70590ffd1u}, {vndf::DiskMap::concentric, 0xe94380873dc9e10du}};
   for (const auto& row : rows) {
     std::vector<float> x(kCount), y(kCount);
     vndf::sample_disk(row.map, kCount, {in.u_x.data(), in.u_y.data()}, {x.data(), y.data()});

@@ -60,12 +60,11 @@ VNDF_INLINE HemisphereView<F> map_to_hemisphere(Vec3<F> wo, Vec2<F> alpha) {
           op::select(below, large, small)};
 }
 
-/// The disk point after the squish, times 2 d (see Chord), and what the reprojection needs of its height.
+/// What the squish leaves of the chord, with z the view's: lift = (1 + z) top, and the height of the normal above the
+/// squished point, height2 = (2 d)^2 (1 - t1^2 - t2'^2).
 template <class F>
 struct Squished {
-  F across, along;  // 2 d t1, 2 d t2'
-  F height2;        // (2 d)^2 (1 - t1^2 - t2'^2)
-  F lift;           // (1 + z) top
+  F lift, height2;
 };
 
 /// Section 4.2, eq. 11: t2' = (1 - s) w + s t2, which is (bottom - z top) / 2 d.
@@ -76,22 +75,25 @@ template <class F>
 VNDF_INLINE Squished<F> squish(const HemisphereView<F>& view, const Chord<F>& t) {
   F lift = view.one_plus_z * t.top;
   F drop = view.one_minus_z * t.top;
-  return {t.across, (t.bottom - t.top) + drop, lift * ((t.bottom + t.bottom) + drop), lift};
+  return {lift, lift * ((t.bottom + t.bottom) + drop)};
 }
 
-/// Section 4.3, eq. 12-13: Nh = t1 T1 + t2' T2 + sqrt(1 - t1^2 - t2'^2) Vh with T1 = (-Vh.y, Vh.x, 0) / |.| and
+/// Section 4.3, eq. 12-13: Nh = t1 T1 + t2' T2 + v Vh with v = sqrt(1 - t1^2 - t2'^2), T1 = (-Vh.y, Vh.x, 0) / |.| and
 /// T2 = Vh x T1, up to a positive factor.
 ///
-/// The third component, sqrt(1 - z^2) t2' + z sqrt(...), is written as a quotient of sums of positive terms, and the
-/// whole vector scaled by the denominator: nothing cancels at the horizon, where small alpha would magnify it.
+/// With rho = sqrt(1 - z^2) and everything times 2 d, v is close to rho top, and what it exceeds it by is
+/// 2 lift bottom / (v + rho top). Written with that excess, neither the component towards the view, rho v - z t2', nor
+/// the third one, rho t2' + z v, is a difference of what nearly cancels: the former is top - z bottom + rho excess, the
+/// latter a quotient of sums of positive terms. The whole vector is scaled by the denominator.
 template <class F>
 VNDF_INLINE Vec3<F> reproject(const HemisphereView<F>& view, const Chord<F>& t, const Squished<F>& p) {
   F height = op::sqrt(view.r2 * p.height2);
-  F denominator = height + (view.r2 * view.inv_length) * t.top;
-  F rise = height * view.inv_length;  // sqrt(1 - z^2) times the height
-  F toward = rise - view.z * p.along;
-  return {denominator * (toward * view.x - p.across * view.y), denominator * (toward * view.y + p.across * view.x),
-          (view.r2 * t.bottom) * (view.one_plus_z * p.lift + rise)};
+  F rho = view.r2 * view.inv_length;  // scaled like the height
+  F denominator = height + rho * t.top;
+  F toward = denominator * (t.top - view.z * t.bottom) + (rho * p.lift) * (t.bottom + t.bottom);
+  F across = denominator * t.across;
+  return {toward * view.x - across * view.y, toward * view.y + across * view.x,
+          (view.r2 * t.bottom) * (view.one_plus_z * p.lift + height * view.inv_length)};
 }
 
 /// Section 3.4, eq. 6: Ne = A Nh / |A Nh|, for Nh of any length up to 2^60.
