@@ -39,8 +39,9 @@ struct Data {
   const char* input;
   std::size_t count;
 };
-constexpr Data kData[] = {{"camera", 16},      {"camera", 4096},  {"camera_unaligned", 4096},
-                          {"camera", 4194304}, {"uniform", 4096}, {"uniform", 4194304}};
+constexpr Data kData[] = {{"camera", 16},    {"camera", 64},       {"camera", 256},           {"camera", 1024},
+                          {"camera", 4096},  {"camera", 32768},    {"camera", 262144},        {"camera", 4194304},
+                          {"uniform", 4096}, {"uniform", 4194304}, {"camera_unaligned", 4096}};
 
 /// Batches live as long as the program: benchmarks may be repeated and interleaved.
 const bench::Batch& batch_of(const Data& data) {

@@ -31,7 +31,7 @@ constexpr struct {
 
 struct Options {
   std::size_t samples = std::size_t(1) << 22;
-  std::size_t peer_samples = std::size_t(1) << 18;
+  std::size_t peer_samples = std::size_t(1) << 17;
   unsigned threads = std::min(8u, std::max(1u, std::thread::hardware_concurrency()));
   std::string only;
   std::string out = "-";
@@ -41,7 +41,7 @@ constexpr char kHelp[] =
     R"(vndf_errors: measures the library's normals and its peers' against exact ones, for every hard case
 
   --samples N        samples per hard case and warp of the library's (default 4194304)
-  --peer-samples N   samples per hard case of each peer (default 262144)
+  --peer-samples N   samples per hard case of each peer (default 131072)
   --threads N        hard cases measured at once; each takes about 70 bytes a sample (default: one per core, at most 8)
   --row NAME         this hard case only
   --out FILE         where the JSON goes (default -, standard output); progress is on standard error

@@ -74,7 +74,19 @@ enum class DiskMap { polar, concentric };
 /// u      uniform random numbers in [0, 1]; both ends are allowed.
 /// wm     unit normals of the upper hemisphere, wm.z >= 0.
 ///
-/// ERR1
+/// Largest error: the Euclidean distance from the exact normal of the same inputs, in units of 2^-24, over 2^20 samples
+/// of each of 25 hard cases (tests/accuracy_test.cpp states them): near-normal, grazing and horizontal views, below the
+/// horizon, at the rim of the disk, alpha from 1e-6 to 1, of any anisotropy and length of wo.
+///  - polar, concentric: at most 40, measured 32; p99.9 at most 8, measured 4.7; mean at most 1.2, measured 0.98. The
+///  one
+///    exception is a view below the horizon along the axis of an alpha that is decades below the other, where rounding
+///    wo and alpha alone moves the exact normal by hundreds: twice what it moves it. For small alpha the slope wm.xy /
+///    wm.z is within 1e-3 alpha. Alpha from 1 to 100: measured 103, p99.9 7.0.
+///  - spherical_cap: mean 0.8 to 1.1 and p99.9 up to 22 in most cases, but single samples reach 3e3, and u2 within
+///  2^-18 of
+///    1 reaches 3e5 (p99.9 440): the half vector is a sum that cancels where the sampled direction is nearly opposite
+///    to the view.
+///  - the norm of every result is within 5 of 1, measured 3.0.
 ///
 /// Special values, each confined to its own lane:
 ///  - wo = (0, 0, -1): no normal is visible; some unit normal of the upper hemisphere.
@@ -96,7 +108,8 @@ void sample_normals(Warp warp, std::size_t count, const Columns3& wo, const Colu
 /// t      points (t1, t2). Polar: sqrt(u1) (cos, sin)(2 pi u2), Heitz 2018, eq. 9-10. Concentric: Walter et al. 2015,
 ///        eq. 34-37.
 ///
-/// ERR2
+/// Largest error of the point over 2^20 random points, in units of 2^-24: polar 3.2, concentric 2.3
+/// (tests/disk_test.cpp).
 ///
 /// u outside [0, 1], infinite or NaN: unspecified values or NaN in that lane.
 void sample_disk(DiskMap map, std::size_t count, const Columns2& u, const Out2& t) noexcept;

@@ -168,9 +168,9 @@ VNDF_INLINE void finish_streaming() {
 #endif
 }
 
-/// Brings what p points to into the second-level cache; any address will do.
+/// Brings what p points to into the caches; any address will do.
 VNDF_INLINE void prefetch(const float* p) {
-  __builtin_prefetch(p, 0, 2);
+  __builtin_prefetch(p, 0, 3);
 }
 
 }  // namespace op
