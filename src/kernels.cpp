@@ -119,6 +119,15 @@ void sample_disk(std::size_t count, const Columns2& u, const Out2& t) noexcept {
 
 }  // namespace
 
+#include "shading_kernels.h"
+
+// The warps' kernels of one variant of sample_reflection.
+#define VNDF_PER_WARP(...)                                                                               \
+  {                                                                                                      \
+    ::sample_reflection<Warp::polar, __VA_ARGS__>, ::sample_reflection<Warp::concentric, __VA_ARGS__>,   \
+        ::sample_reflection<Warp::spherical_cap, __VA_ARGS__>                                            \
+  }
+
 namespace vndf {
 
 extern const KernelTable VNDF_TABLE;
@@ -126,6 +135,11 @@ const KernelTable VNDF_TABLE = {
     {::sample_normals<NormalsOnDisk<DiskMap::polar>>, ::sample_normals<NormalsOnDisk<DiskMap::concentric>>,
      ::sample_normals<NormalsOnCap>},
     {::sample_disk<DiskMap::polar>, ::sample_disk<DiskMap::concentric>},
+    {{VNDF_PER_WARP(false, Masking::height_correlated), VNDF_PER_WARP(false, Masking::separable)},
+     {VNDF_PER_WARP(true, Masking::height_correlated), VNDF_PER_WARP(true, Masking::separable)}},
+    {{::evaluate_reflection<false, Masking::height_correlated>, ::evaluate_reflection<false, Masking::separable>},
+     {::evaluate_reflection<true, Masking::height_correlated>, ::evaluate_reflection<true, Masking::separable>}},
+    ::pdf_normals,
 };
 
 }  // namespace vndf

@@ -4,3 +4,4 @@
 #pragma once
 
 #include <vndf/lanes/normals.h>
+#include <vndf/lanes/reflection.h>

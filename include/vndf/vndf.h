@@ -101,6 +101,39 @@ void sample_normals(Warp warp, std::size_t count, const Columns3& wo, const Colu
 /// u outside [0, 1], infinite or NaN: unspecified values or NaN in that lane.
 void sample_disk(DiskMap map, std::size_t count, const Columns2& u, const Out2& t) noexcept;
 
+/// How masking of the view and shadowing of the light go together: G2, Smith's.
+enum class Masking {
+  height_correlated,  ///< 1 / (1 + Lambda(wo) + Lambda(wi)), Heitz 2014, eq. 99
+  separable,          ///< G1(wo) G1(wi)
+};
+
+struct ReflectionOptions {
+  Masking masking = Masking::height_correlated;
+  bool bounded = false;
+};
+
+struct ReflectionSamples {
+  Out3 wi;
+  float* pdf;
+  float* weight;
+  Out3 wm = {nullptr, nullptr, nullptr};
+  float* wo_dot_wm = nullptr;
+};
+
+void sample_reflection(Warp warp, std::size_t count, const Columns3& wo, const Columns2& alpha, const Columns2& u,
+                       const ReflectionSamples& out, const ReflectionOptions& options = {}) noexcept;
+
+struct Evaluations {
+  float* f_cos;
+  float* pdf;
+};
+
+void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& wi, const Columns2& alpha,
+                         const Evaluations& out, const ReflectionOptions& options = {}) noexcept;
+
+void pdf_normals(std::size_t count, const Columns3& wo, const Columns3& wm, const Columns2& alpha,
+                 float* pdf) noexcept;
+
 /// An instruction set that the library was compiled for.
 struct Isa {
   const char* name;  ///< "scalar", "sse42", "avx2", "avx512"
