@@ -99,24 +99,24 @@ VNDF_INLINE void for_each_block(std::size_t count, const vndf::Column* const (&c
 }
 
 /// A block of what one stage hands the next: T is an aggregate of lanes.
-template <class T>
+template <class T, std::size_t kLanes = kBlock>
 class Staged {
  public:
   // Member by member: a copy of the whole aggregate may go through memory, in pieces that stall its reads.
   VNDF_INLINE void store(std::size_t i, const T& value) {
     for (std::size_t c = 0; c < kMembers; ++c)
-      vndf::lanes::op::store(reinterpret_cast<const F*>(&value)[c], lanes_[c] + i % kBlock);
+      vndf::lanes::op::store(reinterpret_cast<const F*>(&value)[c], lanes_[c] + i % kLanes);
   }
   VNDF_INLINE T load(std::size_t i) const {
     T value;
     for (std::size_t c = 0; c < kMembers; ++c)
-      reinterpret_cast<F*>(&value)[c] = vndf::lanes::op::load<F>(lanes_[c] + i % kBlock);
+      reinterpret_cast<F*>(&value)[c] = vndf::lanes::op::load<F>(lanes_[c] + i % kLanes);
     return value;
   }
 
  private:
   static constexpr std::size_t kMembers = sizeof(T) / sizeof(F);
-  alignas(64) float lanes_[kMembers][kBlock];
+  alignas(64) float lanes_[kMembers][kLanes];
 };
 
 }  // namespace

@@ -92,6 +92,16 @@ void pdf_normals(std::size_t count, const Columns3& wo, const Columns3& wm, cons
   active().kernels->pdf_normals(count, wo, wm, alpha, pdf);
 }
 
+void sample_dielectric(Warp warp, std::size_t count, const Columns3& wo, const Columns2& alpha, const Column& eta,
+                       const Columns3& u, const DielectricSamples& out, Masking masking) noexcept {
+  active().kernels->sample_dielectric[static_cast<int>(masking)][static_cast<int>(warp)](count, wo, alpha, eta, u, out);
+}
+
+void evaluate_dielectric(std::size_t count, const Columns3& wo, const Columns3& wi, const Columns2& alpha,
+                         const Column& eta, const Evaluations& out, Masking masking) noexcept {
+  active().kernels->evaluate_dielectric[static_cast<int>(masking)](count, wo, wi, alpha, eta, out);
+}
+
 Isas isas() noexcept {
   struct List {
     Isa rows[kCount];

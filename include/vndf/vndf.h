@@ -134,6 +134,21 @@ void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& 
 void pdf_normals(std::size_t count, const Columns3& wo, const Columns3& wm, const Columns2& alpha,
                  float* pdf) noexcept;
 
+struct DielectricSamples {
+  Out3 wi;
+  float* pdf;
+  float* weight;
+  float* side;
+};
+
+void sample_dielectric(Warp warp, std::size_t count, const Columns3& wo, const Columns2& alpha, const Column& eta,
+                       const Columns3& u, const DielectricSamples& out,
+                       Masking masking = Masking::height_correlated) noexcept;
+
+void evaluate_dielectric(std::size_t count, const Columns3& wo, const Columns3& wi, const Columns2& alpha,
+                         const Column& eta, const Evaluations& out,
+                         Masking masking = Masking::height_correlated) noexcept;
+
 /// An instruction set that the library was compiled for.
 struct Isa {
   const char* name;  ///< "scalar", "sse42", "avx2", "avx512"

@@ -10,7 +10,8 @@
 namespace vndf::lanes {
 inline namespace VNDF_LANES_BUILD {
 
-constexpr float kPi = 0x1.921fb6p+1f;
+constexpr float kInvPi = 0x1.45f306p-2f;
+constexpr float kInv2Pi = 0x1.45f306p-3f;
 
 template <class F>
 VNDF_INLINE F dot(const Vec3<F>& a, const Vec3<F>& b) {
@@ -46,7 +47,7 @@ VNDF_INLINE F ndf(const Vec3<F>& m, const Vec2<F>& alpha) {
   F ky = v.y * ratio;
   F kz = v.z * alpha_x;
   F q = (dot(v, v) * alpha_x) / ((v.x * v.x + ky * ky) + kz * kz);
-  return (ratio * F(0x1.45f306p-2f)) * (q * q);
+  return (ratio * F(kInvPi)) * (q * q);
 }
 
 /// Lambda(v), eq. 2, for v.z > 0: (a - v.z) / (2 v.z) with the difference taken apart.

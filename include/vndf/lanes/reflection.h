@@ -1,8 +1,9 @@
 // Reflection at a visible normal: direction, density and weight in one pass from the hemisphere configuration, and the
 // same density and the BRDF for a given pair of directions.
 //
-// What the shading step asks of a view is two lengths: a = |A wo|, and `area`, twice the projected area of the normals
-// that are sampled: a + wo.z for all visible ones.
+// All of it needs two lengths of the view: a = |A wo|, and `area`, twice the projected area of the normals that are
+// sampled: a + wo.z for all visible ones. Views are unit vectors above the horizon or on it; below, directions are
+// written, with density and weight 0.
 #pragma once
 
 #include <vndf/lanes/ggx.h>
@@ -148,17 +149,27 @@ VNDF_INLINE F where_above(F wo_z, F wi_z, F value) {
   return op::select(wo_z < F(0.f), F(0.f), op::select(wi_z > F(0.f), value, F(0.f)));
 }
 
-/// A reflected direction, its density, and what the light from there counts: f cos / pdf, without Fresnel's factor.
+/// A sampled direction, its density, and what the light from there counts: f cos / pdf, without Fresnel's factor.
 template <class F>
 struct ReflectionSample {
   Vec3<F> wi;
   F pdf, weight;
 };
 
+/// From a reflected direction, the lengths of its facet and its spread.
 template <class Masking, class F>
-VNDF_INLINE ReflectionSample<F> shade_reflection(F wo_z, const Vec2<F>& alpha, F length, F area, const Vec3<F>& wi, F inverse) {
+VNDF_INLINE ReflectionSample<F> weigh_reflection(F wo_z, const Vec2<F>& alpha, F length, F area, const Vec3<F>& wi,
+                                                 F spread) {
   F weight = Masking::weight(wo_z, length, area, wi.z, stretched_length(wi, alpha));
-  return {wi, where_above(wo_z, wi.z, F(0x1.45f306p-3f) / inverse), where_above(wo_z, wi.z, weight)};
+  return {wi, where_above(wo_z, wi.z, F(kInv2Pi) / spread), where_above(wo_z, wi.z, weight)};
+}
+
+/// From a facet: reflect, density, weight.
+template <class Masking, class F>
+VNDF_INLINE ReflectionSample<F> sample_reflection(const Vec3<F>& wo, const Vec2<F>& alpha, const Facet<F>& facet) {
+  auto normal = normal_of(facet, alpha);
+  return weigh_reflection<Masking>(wo.z, alpha, facet.length, facet.area, reflect(wo, facet, normal),
+                                   spread(facet, normal, alpha));
 }
 
 /// f cos without Fresnel's factor, and the density that sampling has for the pair.
@@ -167,14 +178,27 @@ struct Evaluation {
   F f_cos, pdf;
 };
 
-/// D(h) / (2 area), and f cos = pdf weight. h = wo + wi is taken as it is: one rounding for each component, none for a
-/// length.
+/// D(h) / (2 area), and f cos = pdf weight. h = wo + wi is taken as it is: one rounding for each component, none for
+/// its length.
 template <class Masking, class F>
-VNDF_INLINE Evaluation<F> evaluate_reflection(const Vec3<F>& wo, const Vec3<F>& wi, const Vec2<F>& alpha, F length_o,
+VNDF_INLINE Evaluation<F> evaluate_reflection(const Vec3<F>& wo, const Vec3<F>& wi, const Vec2<F>& alpha, F length,
                                               F area) {
   F pdf = ndf<F>({wo.x + wi.x, wo.y + wi.y, wo.z + wi.z}, alpha) / (area + area);
-  F weight = Masking::weight(wo.z, length_o, area, wi.z, stretched_length(wi, alpha));
+  F weight = Masking::weight(wo.z, length, area, wi.z, stretched_length(wi, alpha));
   return {where_above(wo.z, wi.z, pdf * weight), where_above(wo.z, wi.z, pdf)};
+}
+
+template <class Masking, class F>
+VNDF_INLINE Evaluation<F> evaluate_reflection(const Vec3<F>& wo, const Vec3<F>& wi, const Vec2<F>& alpha) {
+  F length = stretched_length(wo, alpha);
+  return evaluate_reflection<Masking>(wo, wi, alpha, length, length + wo.z);
+}
+
+/// The pair of bounded sampling.
+template <class Masking, class F>
+VNDF_INLINE Evaluation<F> evaluate_reflection_bounded(const Vec3<F>& wo, const Vec3<F>& wi, const Vec2<F>& alpha) {
+  F length = stretched_length(wo, alpha);
+  return evaluate_reflection<Masking>(wo, wi, alpha, length, length + reflection_bound(wo, alpha).k * wo.z);
 }
 
 }  // namespace VNDF_LANES_BUILD
