@@ -291,7 +291,10 @@ TEST(Dielectric, IsReciprocal) {
       // On the borders of what is possible, that of total reflection among them, rounding decides.
       if (c < 5e-3L || c_i < 5e-3L || std::fabs(h.z) < 1e-4L * length || (f == 0 && g == 0)) continue;
       across += through;
-      worst = std::max(worst, double(std::fabs(f / g - 1) / kEps * std::fmin(R(1), length) * c * c * c_i * c_i));
+      R root = std::sqrt(std::fabs(R(eta) * eta - 1 + c * c));
+      if (root < 5e-3L) continue;
+      worst = std::max(worst, double(std::fabs(f / g - 1) / kEps * std::fmin(R(1), length) * c * c * c_i * c_i *
+                                     std::fmin(R(1), root)));
     }
   }
   std::printf("reciprocity within %.1f eps / (|h| (wo.wm wi.wm)^2), %zu pairs across\n", worst, across);
