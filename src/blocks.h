@@ -55,8 +55,8 @@ struct Outputs {
 constexpr std::size_t kStreaming = std::size_t(1) << 20;
 
 /// Calls kernel(inputs, outputs, begin, end) for block after block of all `count` indices: `begin` is a multiple of
-/// kBlock, `end` at most kBlock more and a multiple of the vector width. What is left over goes through a padded copy. A
-/// result that is a null pointer stays one, and the kernel must not store to it.
+/// kBlock, `end` at most kBlock more and a multiple of the vector width. What is left over goes through a padded copy.
+/// A result that is a null pointer stays one, and the kernel must not store to it.
 template <std::size_t N, std::size_t M, class Kernel>
 VNDF_INLINE void for_each_block(std::size_t count, const vndf::Column* const (&columns)[N], float* const (&results)[M],
                                 Kernel& kernel) {

@@ -131,12 +131,15 @@ const KernelTable VNDF_TABLE = {
     {::sample_normals<NormalsOnDisk<DiskMap::polar>>, ::sample_normals<NormalsOnDisk<DiskMap::concentric>>,
      ::sample_normals<NormalsOnCap>},
     {::sample_disk<DiskMap::polar>, ::sample_disk<DiskMap::concentric>},
-    {{VNDF_PER_WARP(sample_reflection, false, Masking::height_correlated), VNDF_PER_WARP(sample_reflection, false, Masking::separable)},
-     {VNDF_PER_WARP(sample_reflection, true, Masking::height_correlated), VNDF_PER_WARP(sample_reflection, true, Masking::separable)}},
+    {{VNDF_PER_WARP(sample_reflection, false, Masking::height_correlated),
+      VNDF_PER_WARP(sample_reflection, false, Masking::separable)},
+     {VNDF_PER_WARP(sample_reflection, true, Masking::height_correlated),
+      VNDF_PER_WARP(sample_reflection, true, Masking::separable)}},
     {{::evaluate_reflection<false, Masking::height_correlated>, ::evaluate_reflection<false, Masking::separable>},
      {::evaluate_reflection<true, Masking::height_correlated>, ::evaluate_reflection<true, Masking::separable>}},
     ::pdf_normals,
-    {VNDF_PER_WARP(sample_dielectric, Masking::height_correlated), VNDF_PER_WARP(sample_dielectric, Masking::separable)},
+    {VNDF_PER_WARP(sample_dielectric, Masking::height_correlated),
+     VNDF_PER_WARP(sample_dielectric, Masking::separable)},
     {::evaluate_dielectric<Masking::height_correlated>, ::evaluate_dielectric<Masking::separable>},
 };
 

@@ -5,8 +5,8 @@ namespace {
 
 using lanes::Facet;
 
-/// The stages of the shading step hand one another more than those of the normals do: half a block at a time keeps it in
-/// the first-level cache.
+/// The stages of the shading step hand one another more than those of the normals do: half a block at a time keeps it
+/// in the first-level cache.
 constexpr std::size_t kShadingBlock = kBlock / 2;
 template <class T>
 using StagedForShading = Staged<T, kShadingBlock>;
@@ -101,8 +101,7 @@ using Facets = std::conditional_t<bounded || warp == Warp::spherical_cap, Facets
                                   FacetsOnDisk<warp, View>>;
 
 template <Masking masking>
-using MaskingOf =
-    std::conditional_t<masking == Masking::height_correlated, lanes::HeightCorrelated, lanes::Separable>;
+using MaskingOf = std::conditional_t<masking == Masking::height_correlated, lanes::HeightCorrelated, lanes::Separable>;
 
 /// The end of the half of a block that begins at `from`.
 VNDF_INLINE std::size_t end_of_half(std::size_t from, std::size_t end) {
@@ -134,7 +133,6 @@ class ReflectionKernel {
   template <bool with_normals>
   VNDF_INLINE void shade(const SampleInputs& in, const Outputs<9>& out, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; i += kWidth) {
-      in.prefetch<3, 4>(i);
       Vec3<F> wo = load_wo(in, i);
       Vec2<F> alpha = load_alpha(in, i);
       auto facet = facets_.load(i, wo.z);
@@ -176,9 +174,9 @@ template <Warp warp, bool bounded, Masking masking>
 void sample_reflection(std::size_t count, const Columns3& wo, const Columns2& alpha, const Columns2& u,
                        const ReflectionSamples& out) noexcept {
   ReflectionKernel<warp, bounded, masking> kernel;
-  for_each_block<7, 9>(
-      count, {&wo.x, &wo.y, &wo.z, &alpha.x, &alpha.y, &u.x, &u.y},
-      {out.wi.x, out.wi.y, out.wi.z, out.pdf, out.weight, out.wm.x, out.wm.y, out.wm.z, out.wo_dot_wm}, kernel);
+  for_each_block<7, 9>(count, {&wo.x, &wo.y, &wo.z, &alpha.x, &alpha.y, &u.x, &u.y},
+                       {out.wi.x, out.wi.y, out.wi.z, out.pdf, out.weight, out.wm.x, out.wm.y, out.wm.z, out.wo_dot_wm},
+                       kernel);
 }
 
 template <bool bounded, Masking masking>
@@ -231,9 +229,8 @@ class DielectricKernel {
         Vec3<F> wo = load_wo(in, i);
         auto below = wo.z < F(0.f);
         wo = lanes::turned(below, wo);
-        auto sample =
-            lanes::sample_dielectric<MaskingOf<masking>>(wo, load_alpha(in, i), facets_.load(i, wo.z),
-                                                         lanes::turned_eta(below, in.load<7>(i)), in.load<8>(i));
+        auto sample = lanes::sample_dielectric<MaskingOf<masking>>(
+            wo, load_alpha(in, i), facets_.load(i, wo.z), lanes::turned_eta(below, in.load<7>(i)), in.load<8>(i));
         Vec3<F> wi = lanes::turned(below, sample.wi);
         out.store<0>(i, wi.x);
         out.store<1>(i, wi.y);
@@ -264,9 +261,9 @@ struct DielectricEvaluation {
       Vec3<F> wo = {in.load<0>(i), in.load<1>(i), in.load<2>(i)};
       Vec3<F> wi = {in.load<3>(i), in.load<4>(i), in.load<5>(i)};
       auto below = wo.z < F(0.f);
-      auto value = lanes::evaluate_dielectric<MaskingOf<masking>>(
-          lanes::turned(below, wo), lanes::turned(below, wi), {in.load<6>(i), in.load<7>(i)},
-          lanes::turned_eta(below, in.load<8>(i)));
+      auto value = lanes::evaluate_dielectric<MaskingOf<masking>>(lanes::turned(below, wo), lanes::turned(below, wi),
+                                                                  {in.load<6>(i), in.load<7>(i)},
+                                                                  lanes::turned_eta(below, in.load<8>(i)));
       out.store<0>(i, value.f_cos);
       out.store<1>(i, value.pdf);
     }
@@ -282,10 +279,10 @@ void evaluate_dielectric(std::size_t count, const Columns3& wo, const Columns3& 
 }
 
 // The warps' kernels of one variant.
-#define VNDF_PER_WARP(function, ...)                                                       \
-  {                                                                                        \
-    ::function<Warp::polar, __VA_ARGS__>, ::function<Warp::concentric, __VA_ARGS__>,       \
-        ::function<Warp::spherical_cap, __VA_ARGS__>                                       \
+#define VNDF_PER_WARP(function, ...)                                                 \
+  {                                                                                  \
+    ::function<Warp::polar, __VA_ARGS__>, ::function<Warp::concentric, __VA_ARGS__>, \
+        ::function<Warp::spherical_cap, __VA_ARGS__>                                 \
   }
 
 }  // namespace

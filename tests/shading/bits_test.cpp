@@ -1,5 +1,5 @@
-// Every instruction set gives the bits of the scalar one; counts, columns, constants, aliasing and wanted outputs do not
-// matter; and no input, however bad, does harm.
+// Every instruction set gives the bits of the scalar one; counts, columns, constants, aliasing and wanted outputs do
+// not matter; and no input, however bad, does harm.
 #include <cmath>
 #include <cstring>
 #include <functional>
@@ -35,13 +35,9 @@ const std::vector<Operation>& operations() {
           ReflectionOptions options{masking, bounded};
           Warp warp = kWarps[w];
           rows.push_back({"reflection_" + name, "wwwaauu", 9, [=](std::size_t n, const auto& in, const auto& out) {
-                            sample_reflection(warp, n, {in[0], in[1], in[2]}, {in[3], in[4]}, {in[5], in[6]},
-                                              {{out[0], out[1], out[2]},
-                                               out[3],
-                                               out[4],
-                                               {out[5], out[6], out[7]},
-                                               out[8]},
-                                              options);
+                            sample_reflection(
+                                warp, n, {in[0], in[1], in[2]}, {in[3], in[4]}, {in[5], in[6]},
+                                {{out[0], out[1], out[2]}, out[3], out[4], {out[5], out[6], out[7]}, out[8]}, options);
                           }});
           if (w == 0)
             rows.push_back({"evaluate_" + name, "wwwlllaa", 2, [=](std::size_t n, const auto& in, const auto& out) {
@@ -55,11 +51,11 @@ const std::vector<Operation>& operations() {
                                                 {{out[0], out[1], out[2]}, out[3], out[4], out[5]}, masking);
                             }});
           if (w == 0 && !bounded)
-            rows.push_back({"evaluate_dielectric_" + name, "wwwlllaae", 2,
-                            [=](std::size_t n, const auto& in, const auto& out) {
-                              evaluate_dielectric(n, {in[0], in[1], in[2]}, {in[3], in[4], in[5]}, {in[6], in[7]},
-                                                  in[8], {out[0], out[1]}, masking);
-                            }});
+            rows.push_back(
+                {"evaluate_dielectric_" + name, "wwwlllaae", 2, [=](std::size_t n, const auto& in, const auto& out) {
+                   evaluate_dielectric(n, {in[0], in[1], in[2]}, {in[3], in[4], in[5]}, {in[6], in[7]}, in[8],
+                                       {out[0], out[1]}, masking);
+                 }});
         }
     rows.push_back({"pdf_normals", "wwwmmmaa", 1, [](std::size_t n, const auto& in, const auto& out) {
                       pdf_normals(n, {in[0], in[1], in[2]}, {in[3], in[4], in[5]}, {in[6], in[7]}, out[0]);
@@ -79,9 +75,9 @@ float any_bits(Random& random) {
 float bad_value(Random& random, char kind) {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInf = std::numeric_limits<float>::infinity(),
                   kMax = std::numeric_limits<float>::max();
-  static const float values[] = {0.f,   -0.f,  1.f,   -1.f,   0x1p-149f, -1e-40f, 1e-38f,       1e-30f, 1e-20f,
-                                 1e-6f, 1e6f,  1e20f, -1e30f, 0.5f,      2.f,     1 - 0x1p-24f, kNan,   kInf,
-                                 -kInf, kMax,  -kMax, 100.f,  0x1p75f,   -0.3f};
+  static const float values[] = {0.f,    -0.f,  1.f,   -1.f,  0x1p-149f, -1e-40f, 1e-38f,  1e-30f,
+                                 1e-20f, 1e-6f, 1e6f,  1e20f, -1e30f,    0.5f,    2.f,     1 - 0x1p-24f,
+                                 kNan,   kInf,  -kInf, kMax,  -kMax,     100.f,   0x1p75f, -0.3f};
   if (random.below(3) == 0) return values[random.below(sizeof values / sizeof *values)];
   if (random.below(8) == 0) return any_bits(random);
   switch (kind) {
@@ -171,8 +167,8 @@ bool same_bits(float a, float b) {
   for (std::size_t c = 0; c < expected.size(); ++c)
     for (std::size_t i = 0; i < expected[c].size(); ++i)
       if (!same_bits(expected[c][i], actual[c][i]))
-        return ::testing::AssertionFailure() << "output " << c << " at " << i << ": " << actual[c][i] << " instead of "
-                                             << expected[c][i];
+        return ::testing::AssertionFailure()
+               << "output " << c << " at " << i << ": " << actual[c][i] << " instead of " << expected[c][i];
   return ::testing::AssertionSuccess();
 }
 
@@ -205,8 +201,7 @@ class Bits : public ::testing::TestWithParam<Operation> {
 void PrintTo(const Operation& operation, std::ostream* out) {
   *out << operation.name;
 }
-INSTANTIATE_TEST_SUITE_P(, Bits, ::testing::ValuesIn(operations()),
-                         [](const auto& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(, Bits, ::testing::ValuesIn(operations()), [](const auto& info) { return info.param.name; });
 
 // 2^19 inputs for each operation.
 TEST_P(Bits, SameOnEveryInstructionSet) {
@@ -234,7 +229,8 @@ TEST_P(Bits, CountsAndMisalignedColumns) {
   Table all = inputs(GetParam(), 600, 30);
   Table expected = on_scalar(all);
   on_every_isa([&] {
-    for (std::size_t count : {0, 1, 3, 4, 5, 7, 8, 9, 15, 16, 17, 31, 33, 127, 128, 129, 255, 256, 257, 271, 384, 512, 513})
+    for (std::size_t count :
+         {0, 1, 3, 4, 5, 7, 8, 9, 15, 16, 17, 31, 33, 127, 128, 129, 255, 256, 257, 271, 384, 512, 513})
       for (std::size_t shift : {0, 1}) {
         Table in(all.size());
         for (std::size_t c = 0; c < all.size(); ++c) {
@@ -363,9 +359,9 @@ TEST(WantedOutputs, NormalIsThatOfSampleNormals) {
 
 // Finite inputs that are not degenerate give no NaN: unit views, alpha from 1e-6 to 100, u in [0, 1] with both ends.
 TEST(BadInputs, NoNanFromGoodOnes) {
-  const float views[][3] = {{0, 0, 1},     {0, 0, -1},    {1, 0, 0},          {0, -1, 0},         {0.6f, 0, 0.8f},
-                            {0.6f, 0, -0.8f}, {1, 0, 1e-30f}, {1, 1e-20f, 1e-10f}, {1e-20f, 0, 1},     {1e-40f, 0, 1},
-                            {0.8f, 0.6f, 0}, {1, 0, -0.f},  {1e-6f, 1e-6f, 1},  {1e-6f, 0, -1},     {1, 0, -1e-30f}};
+  const float views[][3] = {{0, 0, 1},        {0, 0, -1},     {1, 0, 0},           {0, -1, 0},     {0.6f, 0, 0.8f},
+                            {0.6f, 0, -0.8f}, {1, 0, 1e-30f}, {1, 1e-20f, 1e-10f}, {1e-20f, 0, 1}, {1e-40f, 0, 1},
+                            {0.8f, 0.6f, 0},  {1, 0, -0.f},   {1e-6f, 1e-6f, 1},   {1e-6f, 0, -1}, {1, 0, -1e-30f}};
   const float alphas[] = {1e-6f, 1e-4f, 0.01f, 0.5f, 1.f, 3.f, 100.f};
   const float us[] = {0.f, 0x1p-24f, 0.25f, 0.3f, 0.5f, 0.75f, 1 - 0x1p-24f, 1.f};
   const float etas[] = {0.4f, 1 / 1.5f, 0.99999f, 1.00001f, 1.5f, 2.5f};
@@ -402,10 +398,11 @@ TEST(BadInputs, NoNanFromGoodOnes) {
                   Values e(1);
                   sample_dielectric(warp, 1, {v[0], v[1], v[2]}, {ax, ay}, eta, {u1, u2, u3}, s.dielectric());
                   evaluate_dielectric(1, {v[0], v[1], v[2]}, s.wi.in(), {ax, ay}, eta, e.out());
-                  for (float x : {s.wi.x[0], s.wi.y[0], s.wi.z[0], s.pdf[0], s.weight[0], s.side[0], e.f_cos[0], e.pdf[0]})
-                    ASSERT_FALSE(std::isnan(x)) << v[0] << " " << v[1] << " " << v[2] << " alpha " << ax << " " << ay
-                                                << " u " << u1 << " " << u2 << " " << u3 << " eta " << eta << " "
-                                                << int(warp);
+                  for (float x :
+                       {s.wi.x[0], s.wi.y[0], s.wi.z[0], s.pdf[0], s.weight[0], s.side[0], e.f_cos[0], e.pdf[0]})
+                    ASSERT_FALSE(std::isnan(x))
+                        << v[0] << " " << v[1] << " " << v[2] << " alpha " << ax << " " << ay << " u " << u1 << " "
+                        << u2 << " " << u3 << " eta " << eta << " " << int(warp);
                   ASSERT_LE(s.weight[0], 1);
                 }
             }

@@ -23,8 +23,9 @@ struct Roughness {
   const char* name;
   float x, y;
 };
-constexpr Roughness kRoughness[] = {{"mirror_like", 1e-3f, 1e-3f}, {"glossy", 0.1f, 0.1f},     {"rough", 0.6f, 0.6f},
-                                    {"roughest", 1.f, 1.f},        {"brushed_x", 0.7f, 0.05f}, {"brushed_y", 0.01f, 0.9f}};
+constexpr Roughness kRoughness[] = {{"mirror_like", 1e-3f, 1e-3f}, {"glossy", 0.1f, 0.1f},
+                                    {"rough", 0.6f, 0.6f},         {"roughest", 1.f, 1.f},
+                                    {"brushed_x", 0.7f, 0.05f},    {"brushed_y", 0.01f, 0.9f}};
 struct View {
   const char* name;
   float x, y, z;
@@ -33,9 +34,8 @@ constexpr View kViews[] = {{"normal", 0.f, 0.f, 1.f},
                            {"oblique", 0.6f, -0.36f, 0.71442284f},
                            {"flat", -0.7f, 0.66143783f, 0.27f},
                            {"grazing", -0.27f, 0.9625487f, 0.02f}};
-constexpr View kBelow[] = {{"horizontal", 0.8f, 0.6f, 0.f},
-                           {"below", -0.9f, 0.3f, -0.31622776f},
-                           {"far_below", 0.3f, 0.4f, -0.8660254f}};
+constexpr View kBelow[] = {
+    {"horizontal", 0.8f, 0.6f, 0.f}, {"below", -0.9f, 0.3f, -0.31622776f}, {"far_below", 0.3f, 0.4f, -0.8660254f}};
 
 V3<double> vector(const View& v) {
   return {v.x, v.y, v.z};
@@ -68,7 +68,8 @@ TEST(Density, OfVisibleNormalsIntegratesToOne) {
   std::printf("the density of visible normals integrates to 1 within %.1e\n", worst);
 }
 
-// Heitz 2014, section 6.2: without shadowing the BRDF reflects all light into the whole sphere. By d wi = 4 (wo.m) d m.
+// The weak white furnace test of Heitz 2014: without shadowing the BRDF reflects all light into the whole sphere. By d
+// wi = 4 (wo.m) d m.
 TEST(Density, PassesTheWeakWhiteFurnace) {
   for (const Roughness& r : kRoughness)
     for (const View& wo : kViews) {
@@ -235,8 +236,8 @@ TEST(Brdf, AlbedoIsAtMostOneAndTheMeanWeight) {
           for (std::size_t i = 0; i < grid.wi.size(); ++i) albedo += grid.value.f_cos[i] * grid.solid_angle[i];
           EXPECT_LE(albedo, 1 + 1e-4);
           Samples sample(kSamples);
-          sample_reflection(Warp::spherical_cap, kSamples, {view.x, view.y, view.z}, {r.x, r.y},
-                            {u1.data(), u2.data()}, sample.reflection(), options);
+          sample_reflection(Warp::spherical_cap, kSamples, {view.x, view.y, view.z}, {r.x, r.y}, {u1.data(), u2.data()},
+                            sample.reflection(), options);
           double sum = 0, squares = 0;
           for (float w : sample.weight) {
             sum += w;
@@ -349,9 +350,10 @@ TEST(Jacobian, OfEveryStageTimesTheDensityIsOne) {
       ASSERT_TRUE(check(6, area_ratio(reflected, u) * reflection_pdf(wo, mc, alpha) / share, 1));
     }
   }
-  std::printf("Jacobians, largest relative deviation: disk %.1Le, squish %.1Le, reproject %.1Le, back %.1Le, reflect "
-              "%.1Le, density times all %.1Le, caps %.1Le\n",
-              worst[0], worst[1], worst[2], worst[3], worst[4], worst[5], worst[6]);
+  std::printf(
+      "Jacobians, largest relative deviation: disk %.1Le, squish %.1Le, reproject %.1Le, back %.1Le, reflect "
+      "%.1Le, density times all %.1Le, caps %.1Le\n",
+      worst[0], worst[1], worst[2], worst[3], worst[4], worst[5], worst[6]);
 }
 
 }  // namespace

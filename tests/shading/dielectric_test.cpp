@@ -77,8 +77,8 @@ TEST(Fresnel, BothSharesAreAccurate) {
   EXPECT_LE(sum, 16);
 }
 
-// Directions are the papers' for the normal of the same random numbers, the shares as Fresnel says; what is at the wrong
-// side counts nothing.
+// Directions are the papers' for the normal of the same random numbers, the shares as Fresnel says; what is at the
+// wrong side counts nothing.
 TEST(Dielectric, DirectionsAndSides) {
   constexpr std::size_t kCount = 1 << 15;
   Numbers u(kCount, 42);
@@ -106,8 +106,8 @@ TEST(Dielectric, DirectionsAndSides) {
             }
             flipped += reflects != (R(u.c[i]) < f);
             R sin2 = (1 - c * c) / (n * n);
-            V3<R> exact = reflects ? reflect(wo, m)
-                                   : (1 / n) * (R(-1) * wo) + (c / n - std::sqrt(std::max(R(0), 1 - sin2))) * m;
+            V3<R> exact =
+                reflects ? reflect(wo, m) : (1 / n) * (R(-1) * wo) + (c / n - std::sqrt(std::max(R(0), 1 - sin2))) * m;
             exact = R(flip) * exact;
             V3<R> wi = sample.wi.at<R>(i), off = wi + R(-1) * exact;
             // Refraction near total reflection is as ill-conditioned as the root of 1 - sin^2.
@@ -124,8 +124,9 @@ TEST(Dielectric, DirectionsAndSides) {
           }
           EXPECT_LE(flipped, kCount * 1e-4);
         }
-  std::printf("wi given wm: reflected within %.1f (cap %.1f), refracted within %.1f (%.1f) eps; length within %.1f eps\n",
-              worst[1], worst_cap[1], worst[0], worst_cap[0], worst_unit);
+  std::printf(
+      "wi given wm: reflected within %.1f (cap %.1f), refracted within %.1f (%.1f) eps; length within %.1f eps\n",
+      worst[1], worst_cap[1], worst[0], worst_cap[0], worst_unit);
   EXPECT_LE(worst[1], 30);
   EXPECT_LE(worst[0], 60);
   EXPECT_LE(worst_cap[1], 1200);
@@ -198,8 +199,8 @@ struct Sphere {
   }
 };
 
-// wi on both sides, and the share that is lost, against the density that evaluate_dielectric states; and the mean weight
-// against the integral of f cos: energy is kept but for what masking loses.
+// wi on both sides, and the share that is lost, against the density that evaluate_dielectric states; and the mean
+// weight against the integral of f cos: energy is kept but for what masking loses.
 TEST(Dielectric, HasTheDensityAndTheEnergyThatItStates) {
   constexpr std::size_t kSamples = std::size_t(1) << 18;
   Numbers u(kSamples, 44);
@@ -237,8 +238,9 @@ TEST(Dielectric, HasTheDensityAndTheEnergyThatItStates) {
           double mean = sum / kSamples, sigma = std::sqrt(std::max(0., squares / kSamples - mean * mean) / kSamples);
           EXPECT_NEAR(mean, energy, 4.7 * sigma + 1e-3);
         }
-        std::printf("cos %5.2f, alpha %.1f, %.1f, eta %.2f: %.1f %% of the energy leaves, %.1f %% of samples are lost\n", v.z,
-                    alpha.x, alpha.y, eta, 100 * energy, 100 * (1 - all));
+        std::printf(
+            "cos %5.2f, alpha %.1f, %.1f, eta %.2f: %.1f %% of the energy leaves, %.1f %% of samples are lost\n", v.z,
+            alpha.x, alpha.y, eta, 100 * energy, 100 * (1 - all));
       }
   std::printf("least p of %g tests: %.3g\n", tests, least);
 }
@@ -262,7 +264,7 @@ TEST(Dielectric, SmoothLimit) {
     }
 }
 
-// f / eta^2 of the side that light comes from is symmetric (Walter et al. 2007, section 5.1).
+// f / eta^2 of the side that light comes from is symmetric.
 TEST(Dielectric, IsReciprocal) {
   constexpr std::size_t kCount = 1 << 17;
   Directions a(kCount), b(kCount);
@@ -283,7 +285,8 @@ TEST(Dielectric, IsReciprocal) {
       bool through = b.z[i] < 0;
       double f = double(there.f_cos[i]) / std::fabs(b.z[i]) / (through ? double(eta) * eta : 1);
       double g = double(back.f_cos[i]) / a.z[i];
-      // Straight passage, and cosines near 0, which for the other way is near total reflection: there g^2 is a difference.
+      // Straight passage, and cosines near 0, which for the other way is near total reflection: there g^2 is a
+      // difference.
       R n = through ? R(eta) : R(1);
       V3<R> h = a.at<R>(i) + n * b.at<R>(i);
       R length = std::sqrt(dot(h, h)), c = std::fabs(dot(a.at<R>(i), h)) / length,

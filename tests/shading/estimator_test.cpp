@@ -1,5 +1,5 @@
-// What the samples are for: estimates of reflected light, compared with integration, with samples of the distribution of
-// normals, and with samplers that share nothing with ours.
+// What the samples are for: estimates of reflected light, compared with integration, with samples of the distribution
+// of normals, and with samplers that share nothing with ours.
 #include <algorithm>
 #include <cstdio>
 
@@ -38,9 +38,9 @@ Estimate estimate(std::size_t count, Value value) {
   return {sum / n, squares / n - sum / n * (sum / n), rejected / n};
 }
 
-// For every surface and view: the estimator's mean is the integral; the variance of its weight is below that of sampling
-// the normals whatever the view (Walter et al. 2007, eq. 35-36 and 41), and so is that of the light but for the luck of
-// where the lamp is; bounded, it is below the plain one's where that rejects.
+// For every surface and view: the estimator's mean is the integral; the variance of its weight is below that of
+// sampling the normals whatever the view (Walter et al. 2007, eq. 35-36 and 41), and so is that of the light but for
+// the luck of where the lamp is; bounded, it is below the plain one's where that rejects.
 TEST(Estimator, AgreesWithIntegrationAndHasTheLeastVariance) {
   constexpr std::size_t kSamples = std::size_t(1) << 19;
   std::vector<float> u1(kSamples), u2(kSamples);
@@ -51,7 +51,8 @@ TEST(Estimator, AgreesWithIntegrationAndHasTheLeastVariance) {
   }
   std::printf("%-12s %-5s | %8s | %9s %9s %9s | %8s %8s\n", "alpha", "cos", "mean", "var NDF", "visible", "bounded",
               "rejected", "bounded");
-  for (Alpha<float> alpha : {Alpha<float>{0.1f, 0.1f}, {0.3f, 0.3f}, {0.6f, 0.6f}, {1.f, 1.f}, {0.2f, 0.8f}, {0.7f, 0.9f}})
+  for (Alpha<float> alpha :
+       {Alpha<float>{0.1f, 0.1f}, {0.3f, 0.3f}, {0.6f, 0.6f}, {1.f, 1.f}, {0.2f, 0.8f}, {0.7f, 0.9f}})
     for (float cos : {0.95f, 0.6f, 0.3f, 0.1f}) {
       float sin = std::sqrt(1 - cos * cos);
       V3<double> wo{0.8f * sin, 0.6f * sin, cos};
@@ -106,8 +107,9 @@ TEST(Estimator, AgreesWithIntegrationAndHasTheLeastVariance) {
     }
 }
 
-// Walter et al. 2015, section 4: rays against the ellipsoid, from a bounding sphere (version 1) and from the ellipsoid's
-// own silhouette (version 2), rejecting what is not visible from above. They share nothing with the closed forms.
+// Walter et al. 2015, section 4: rays against the ellipsoid, from a bounding sphere (version 1) and from the
+// ellipsoid's own silhouette (version 2), rejecting what is not visible from above. They share nothing with the closed
+// forms.
 class Rejection {
  public:
   Rejection(const V3<double>& wo, const Alpha<double>& alpha, std::uint64_t seed)

@@ -33,8 +33,7 @@ struct Samples {
   Directions wi, wm;
   std::vector<float> pdf, weight, cos, side;
 
-  explicit Samples(std::size_t count)
-      : wi(count), wm(count), pdf(count), weight(count), cos(count), side(count) {}
+  explicit Samples(std::size_t count) : wi(count), wm(count), pdf(count), weight(count), cos(count), side(count) {}
   ReflectionSamples reflection() { return {wi.out(), pdf.data(), weight.data(), {nullptr, nullptr, nullptr}, nullptr}; }
   ReflectionSamples with_normals() { return {wi.out(), pdf.data(), weight.data(), wm.out(), cos.data()}; }
   DielectricSamples dielectric() { return {wi.out(), pdf.data(), weight.data(), side.data()}; }

@@ -94,8 +94,7 @@ VNDF_INLINE DielectricSample<F> sample_dielectric(const Vec3<F>& wo, const Vec2<
   F weight = op::select(reflects, Masking::weight(wo.z, facet.length, facet.area, height, length),
                         refraction_weight(height, length));
   pdf = op::select(reflects, pdf * f.reflected, (pdf * f.transmitted) * refraction_over_reflection(f, eta));
-  return {wi, where_above(wo.z, height, pdf), where_above(wo.z, height, weight),
-          op::select(reflects, F(1.f), F(-1.f))};
+  return {wi, where_above(wo.z, height, pdf), where_above(wo.z, height, weight), op::select(reflects, F(1.f), F(-1.f))};
 }
 
 /// For a pair whose view has been turned to the upper hemisphere. The normal is that of wo + wi, or of wo + eta wi
@@ -117,8 +116,8 @@ VNDF_INLINE Evaluation<F> evaluate_dielectric(const Vec3<F>& wo, const Vec3<F>& 
   F reflected = pdf * f.reflected;
   F refracted = (pdf * f.transmitted) * refraction_over_reflection(f, eta);
   refracted = op::select(cos_o > F(0.f), op::select(cos_i < F(0.f), refracted, F(0.f)), F(0.f));
-  F weight = op::select(across, refraction_weight(height, length_i),
-                        Masking::weight(wo.z, length, area, height, length_i));
+  F weight =
+      op::select(across, refraction_weight(height, length_i), Masking::weight(wo.z, length, area, height, length_i));
   pdf = where_above(wo.z, height, op::select(across, refracted, reflected));
   return {op::select(pdf > F(0.f), pdf * weight, F(0.f)), pdf};
 }

@@ -93,7 +93,8 @@ template <class F>
 VNDF_INLINE Vec3<F> sample_cap(Vec3<F> wo, Vec2<F> alpha, Vec2<F> u) {
   auto view = map_to_cap(wo, alpha, cap_scale(wo, alpha));
   Cap<F> cap = visible_cap(view);
-  cap.height = op::select(wo.z < F(0.f), view.r2 / view.sum, cap.height);  // below the horizon 1 + Vh.z is the small one
+  cap.height =
+      op::select(wo.z < F(0.f), view.r2 / view.sum, cap.height);  // below the horizon 1 + Vh.z is the small one
   return on_cap(view, cap, u.y, F(1.f) - u.y, sincos2pi(u.x));
 }
 
