@@ -56,6 +56,7 @@ constexpr std::size_t kStreaming = std::size_t(1) << 20;
 
 /// Calls kernel(inputs, outputs, begin, end) for block after block of all `count` indices: `begin` is a multiple of
 /// kBlock, `end` at most kBlock more and a multiple of the vector width. What is left over goes through a padded copy.
+/// A result that is a null pointer stays one, and the kernel must not store to it.
 template <std::size_t N, std::size_t M, class Kernel>
 VNDF_INLINE void for_each_block(std::size_t count, const vndf::Column* const (&columns)[N], float* const (&results)[M],
                                 Kernel& kernel) {
@@ -90,33 +91,32 @@ VNDF_INLINE void for_each_block(std::size_t count, const vndf::Column* const (&c
       tail.advance[c] = ~std::size_t(0);
     }
     tail_out.streaming = false;
-    for (std::size_t c = 0; c < M; ++c) tail_out.column[c] = padded_results[c];
+    for (std::size_t c = 0; c < M; ++c) tail_out.column[c] = results[c] ? padded_results[c] : nullptr;
     kernel(tail, tail_out, std::size_t(0), kWidth);
     for (std::size_t c = 0; c < M; ++c)
-      for (std::size_t i = 0; i < rest; ++i) results[c][whole + i] = padded_results[c][i];
+      for (std::size_t i = 0; i < rest && results[c]; ++i) results[c][whole + i] = padded_results[c][i];
   }
 }
 
 /// A block of what one stage hands the next: T is an aggregate of lanes.
-template <class T>
+template <class T, std::size_t kLanes = kBlock>
 class Staged {
  public:
+  // Member by member: a copy of the whole aggregate may go through memory, in pieces that stall its reads.
   VNDF_INLINE void store(std::size_t i, const T& value) {
-    F members[kMembers];
-    std::memcpy(members, &value, sizeof value);
-    for (std::size_t c = 0; c < kMembers; ++c) vndf::lanes::op::store(members[c], lanes_[c] + i % kBlock);
+    for (std::size_t c = 0; c < kMembers; ++c)
+      vndf::lanes::op::store(reinterpret_cast<const F*>(&value)[c], lanes_[c] + i % kLanes);
   }
   VNDF_INLINE T load(std::size_t i) const {
-    F members[kMembers];
-    for (std::size_t c = 0; c < kMembers; ++c) members[c] = vndf::lanes::op::load<F>(lanes_[c] + i % kBlock);
     T value;
-    std::memcpy(&value, members, sizeof value);
+    for (std::size_t c = 0; c < kMembers; ++c)
+      reinterpret_cast<F*>(&value)[c] = vndf::lanes::op::load<F>(lanes_[c] + i % kLanes);
     return value;
   }
 
  private:
   static constexpr std::size_t kMembers = sizeof(T) / sizeof(F);
-  alignas(64) float lanes_[kMembers][kBlock];
+  alignas(64) float lanes_[kMembers][kLanes];
 };
 
 }  // namespace

@@ -76,6 +76,32 @@ void sample_disk(DiskMap map, std::size_t count, const Columns2& u, const Out2& 
   active().kernels->sample_disk[static_cast<int>(map)](count, u, t);
 }
 
+void sample_reflection(Warp warp, std::size_t count, const Columns3& wo, const Columns2& alpha, const Columns2& u,
+                       const ReflectionSamples& out, const ReflectionOptions& options) noexcept {
+  active().kernels->sample_reflection[options.bounded][static_cast<int>(options.masking)][static_cast<int>(warp)](
+      count, wo, alpha, u, out);
+}
+
+void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& wi, const Columns2& alpha,
+                         const Evaluations& out, const ReflectionOptions& options) noexcept {
+  active().kernels->evaluate_reflection[options.bounded][static_cast<int>(options.masking)](count, wo, wi, alpha, out);
+}
+
+void pdf_normals(std::size_t count, const Columns3& wo, const Columns3& wm, const Columns2& alpha,
+                 float* pdf) noexcept {
+  active().kernels->pdf_normals(count, wo, wm, alpha, pdf);
+}
+
+void sample_dielectric(Warp warp, std::size_t count, const Columns3& wo, const Columns2& alpha, const Column& eta,
+                       const Columns3& u, const DielectricSamples& out, Masking masking) noexcept {
+  active().kernels->sample_dielectric[static_cast<int>(masking)][static_cast<int>(warp)](count, wo, alpha, eta, u, out);
+}
+
+void evaluate_dielectric(std::size_t count, const Columns3& wo, const Columns3& wi, const Columns2& alpha,
+                         const Column& eta, const Evaluations& out, Masking masking) noexcept {
+  active().kernels->evaluate_dielectric[static_cast<int>(masking)](count, wo, wi, alpha, eta, out);
+}
+
 Isas isas() noexcept {
   struct List {
     Isa rows[kCount];

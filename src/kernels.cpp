@@ -14,14 +14,17 @@ using lanes::Vec3;
 
 // The columns of the sampling functions, in the order in which sample() passes them on.
 using SampleInputs = Inputs<7>;
-VNDF_INLINE Vec3<F> load_wo(const SampleInputs& in, std::size_t i) {
-  return {in.load<0>(i), in.load<1>(i), in.load<2>(i)};
+template <std::size_t N>
+VNDF_INLINE Vec3<F> load_wo(const Inputs<N>& in, std::size_t i) {
+  return {in.template load<0>(i), in.template load<1>(i), in.template load<2>(i)};
 }
-VNDF_INLINE Vec2<F> load_alpha(const SampleInputs& in, std::size_t i) {
-  return {in.load<3>(i), in.load<4>(i)};
+template <std::size_t N>
+VNDF_INLINE Vec2<F> load_alpha(const Inputs<N>& in, std::size_t i) {
+  return {in.template load<3>(i), in.template load<4>(i)};
 }
-VNDF_INLINE Vec2<F> load_u(const SampleInputs& in, std::size_t i) {
-  return {in.load<5>(i), in.load<6>(i)};
+template <std::size_t N>
+VNDF_INLINE Vec2<F> load_u(const Inputs<N>& in, std::size_t i) {
+  return {in.template load<5>(i), in.template load<6>(i)};
 }
 
 VNDF_INLINE void store(const Vec2<F>& v, const Outputs<2>& out, std::size_t i) {
@@ -119,6 +122,8 @@ void sample_disk(std::size_t count, const Columns2& u, const Out2& t) noexcept {
 
 }  // namespace
 
+#include "shading_kernels.h"
+
 namespace vndf {
 
 extern const KernelTable VNDF_TABLE;
@@ -126,6 +131,16 @@ const KernelTable VNDF_TABLE = {
     {::sample_normals<NormalsOnDisk<DiskMap::polar>>, ::sample_normals<NormalsOnDisk<DiskMap::concentric>>,
      ::sample_normals<NormalsOnCap>},
     {::sample_disk<DiskMap::polar>, ::sample_disk<DiskMap::concentric>},
+    {{VNDF_PER_WARP(sample_reflection, false, Masking::height_correlated),
+      VNDF_PER_WARP(sample_reflection, false, Masking::separable)},
+     {VNDF_PER_WARP(sample_reflection, true, Masking::height_correlated),
+      VNDF_PER_WARP(sample_reflection, true, Masking::separable)}},
+    {{::evaluate_reflection<false, Masking::height_correlated>, ::evaluate_reflection<false, Masking::separable>},
+     {::evaluate_reflection<true, Masking::height_correlated>, ::evaluate_reflection<true, Masking::separable>}},
+    ::pdf_normals,
+    {VNDF_PER_WARP(sample_dielectric, Masking::height_correlated),
+     VNDF_PER_WARP(sample_dielectric, Masking::separable)},
+    {::evaluate_dielectric<Masking::height_correlated>, ::evaluate_dielectric<Masking::separable>},
 };
 
 }  // namespace vndf

@@ -50,6 +50,11 @@ namespace vndf {
   const KernelTable kernels_##name = {                                                                     \
       {note_normals<name_of_##name, 0>, note_normals<name_of_##name, 1>, note_normals<name_of_##name, 2>}, \
       {note_disk<name_of_##name, 0>, note_disk<name_of_##name, 1>},                                        \
+      {},                                                                                                  \
+      {},                                                                                                  \
+      {},                                                                                                  \
+      {},                                                                                                  \
+      {},                                                                                                  \
   };
 #include "isa_rows.h"
 #undef VNDF_ISA

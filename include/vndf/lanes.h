@@ -3,4 +3,5 @@
 // API.
 #pragma once
 
+#include <vndf/lanes/dielectric.h>
 #include <vndf/lanes/normals.h>

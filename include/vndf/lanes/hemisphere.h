@@ -28,9 +28,9 @@ struct HemisphereView {
 /// Scaling by a power of two is exact, takes views of any length and lets near-normal views, whose azimuth components
 /// would square to nothing, keep them. A tangent under 2^-32 is taken as 2^-32 and changes no normal by more than
 /// 2^-32; azimuth components under 2^-100 are taken as the x axis. 1 - |z| = r2 / (len (len + |z| len)), no difference
-/// taken.
+/// taken. `norm` is |A V|, which the densities need.
 template <class F>
-VNDF_INLINE HemisphereView<F> map_to_hemisphere(Vec3<F> wo, Vec2<F> alpha) {
+VNDF_INLINE HemisphereView<F> map_to_hemisphere(Vec3<F> wo, Vec2<F> alpha, F& norm) {
   constexpr float kSmallest = 0x1p-100f, kLongest = 0x1p52f;
   F hx = alpha.x * wo.x;
   F hy = alpha.y * wo.y;
@@ -40,10 +40,12 @@ VNDF_INLINE HemisphereView<F> map_to_hemisphere(Vec3<F> wo, Vec2<F> alpha) {
   F x = op::select(op::from_bits(larger) < F(kSmallest), F(kSmallest), hx) * scale;
   F y = hy * scale;
   F abs_z = op::abs(wo.z * scale);
-  abs_z = op::select(abs_z > F(kLongest), F(kLongest), abs_z);
+  auto steep = abs_z > F(kLongest);
+  abs_z = op::select(steep, F(kLongest), abs_z);
 
   F r2 = x * x + y * y;
   F length = op::sqrt(r2 + abs_z * abs_z);
+  norm = op::select(steep, op::abs(wo.z), length * op::from_bits(exponent - Int<F>(20 << 23)));  // length / scale
   F sum = length + abs_z;
   F inv = F(1.f) / (length * sum);
   F inv_length = sum * inv;
@@ -58,6 +60,12 @@ VNDF_INLINE HemisphereView<F> map_to_hemisphere(Vec3<F> wo, Vec2<F> alpha) {
           op::with_sign_of(cos, wo.z),
           op::select(below, small, large),
           op::select(below, large, small)};
+}
+
+template <class F>
+VNDF_INLINE HemisphereView<F> map_to_hemisphere(Vec3<F> wo, Vec2<F> alpha) {
+  F norm;
+  return map_to_hemisphere(wo, alpha, norm);
 }
 
 /// What the squish leaves of the chord, with z the view's: lift = (1 + z) top, and the height of the normal above the
@@ -84,16 +92,24 @@ VNDF_INLINE Squished<F> squish(const HemisphereView<F>& view, const Chord<F>& t)
 /// With rho = sqrt(1 - z^2) and everything times 2 d, v is close to rho top, and what it exceeds it by is
 /// 2 lift bottom / (v + rho top). Written with that excess, neither the component towards the view, rho v - z t2', nor
 /// the third one, rho t2' + z v, is a difference of what nearly cancels: the former is top - z bottom + rho excess, the
-/// latter a quotient of sums of positive terms. The whole vector is scaled by the denominator.
+/// latter a quotient of sums of positive terms. The whole vector is scaled by the denominator. `cos` is Nh.Vh, which is
+/// v, in the same scale.
 template <class F>
-VNDF_INLINE Vec3<F> reproject(const HemisphereView<F>& view, const Chord<F>& t, const Squished<F>& p) {
+VNDF_INLINE Vec3<F> reproject(const HemisphereView<F>& view, const Chord<F>& t, const Squished<F>& p, F& cos) {
   F height = op::sqrt(view.r2 * p.height2);
   F rho = view.r2 * view.inv_length;  // scaled like the height
   F denominator = height + rho * t.top;
+  cos = denominator * height;
   F toward = denominator * (t.top - view.z * t.bottom) + (rho * p.lift) * (t.bottom + t.bottom);
   F across = denominator * t.across;
   return {toward * view.x - across * view.y, toward * view.y + across * view.x,
           (view.r2 * t.bottom) * (view.one_plus_z * p.lift + height * view.inv_length)};
+}
+
+template <class F>
+VNDF_INLINE Vec3<F> reproject(const HemisphereView<F>& view, const Chord<F>& t, const Squished<F>& p) {
+  F cos;
+  return reproject(view, t, p, cos);
 }
 
 /// Section 3.4, eq. 6: Ne = A Nh / |A Nh|, for Nh of any length up to 2^60.

@@ -1,5 +1,5 @@
 // Dupuy and Benyoub 2023: visible hemisphere normals as half vectors of the view and a uniform point of a spherical
-// cap.
+// cap. Eto and Tokuyoshi 2023: a smaller cap, for reflection.
 #pragma once
 
 #include <vndf/lanes/hemisphere.h>
@@ -7,29 +7,95 @@
 namespace vndf::lanes {
 inline namespace VNDF_LANES_BUILD {
 
-/// Nh = c + Vh for c uniform on the cap c.z >= -Vh.z, up to a positive factor (Dupuy and Benyoub 2023, Listing 3), from
-/// u1 for the azimuth and u2 for the height of c.
+/// The view in the hemisphere configuration, A V.
+template <class F>
+struct CapView {
+  F x, y, abs_z;  // A V, the last without its sign
+  F r2;           // x^2 + y^2
+  F length;       // |A V|
+  F sum;          // |A V| + |V.z|
+};
+
+/// A V times `scale`, a power of two or 1.
+template <class F>
+VNDF_INLINE CapView<F> map_to_cap(Vec3<F> wo, Vec2<F> alpha, F scale) {
+  F x = (alpha.x * wo.x) * scale;
+  F y = (alpha.y * wo.y) * scale;
+  F abs_z = op::abs(wo.z * scale);
+  F r2 = x * x + y * y;
+  F length = op::sqrt(r2 + abs_z * abs_z);
+  return {x, y, abs_z, r2, length, length + abs_z};
+}
+
+/// The power of two that takes the largest component of A V to [1, 2).
+template <class F>
+VNDF_INLINE F cap_scale(Vec3<F> wo, Vec2<F> alpha) {
+  Int<F> x = op::bits(op::abs(alpha.x * wo.x));
+  Int<F> y = op::bits(op::abs(alpha.y * wo.y));
+  Int<F> larger = op::max(op::max(x, y), op::bits(op::abs(wo.z)));
+  return op::from_bits(Int<F>(0x7f000000) - (op::max(larger, Int<F>(0x00800000)) & Int<F>(0x7f800000)));
+}
+
+/// The cap c.z >= -k Vh.z, by the height and the radius of its rim, both times |A V|.
+template <class F>
+struct Cap {
+  F height;   // 1 + k Vh.z
+  F radius2;  // 1 - (k Vh.z)^2
+};
+
+/// k = 1: the directions that all visible normals reflect the view to (Dupuy and Benyoub 2023).
+template <class F>
+VNDF_INLINE Cap<F> visible_cap(const CapView<F>& view) {
+  return {view.sum, view.r2};
+}
+
+/// The bound of Eto and Tokuyoshi 2023, eq. 5, with alpha the smaller of the two and at most 1 (their eq. 6; Tokuyoshi
+/// and Eto 2024): no direction above the horizon is reflected from a c below -k Vh.z. For wo.z >= 0.
 ///
-/// c.z + Vh.z = (1 - u2) (1 + Vh.z), and 1 - c.z^2 = u2 (1 - Vh.z^2 + (1 + Vh.z) (c.z + Vh.z)): no difference is taken.
-/// What stays is the sum c + Vh where c is nearly -Vh.
+/// 1 - k = alpha^2 (s^2 + z^2) / (s^2 + alpha^2 z^2), without a difference.
+template <class F>
+struct Bound {
+  F k, one_minus_k;
+};
+
+template <class F>
+VNDF_INLINE Bound<F> reflection_bound(Vec3<F> wo, Vec2<F> alpha) {
+  Int<F> smaller = op::min(op::bits(op::abs(alpha.x)), op::bits(op::abs(alpha.y)));
+  F a = op::from_bits(op::min(smaller, Int<F>(0x3f800000)));
+  F s = F(1.f) + op::sqrt(wo.x * wo.x + wo.y * wo.y);
+  F s2 = s * s;
+  F z2 = wo.z * wo.z;
+  F a2 = a * a;
+  F inv = F(1.f) / (s2 + a2 * z2);
+  return {(((F(1.f) - a) * (F(1.f) + a)) * s2) * inv, (a2 * (s2 + z2)) * inv};
+}
+
+template <class F>
+VNDF_INLINE Cap<F> bounded_cap(const CapView<F>& view, const Bound<F>& bound) {
+  F z2 = view.abs_z * view.abs_z;
+  return {view.length + bound.k * view.abs_z, view.r2 + (bound.one_minus_k * (F(1.f) + bound.k)) * z2};
+}
+
+/// A uniform point c of the cap plus the view: Nh = c + Vh up to a positive factor. `r2` and phi are a point of the
+/// unit disk that Lambert's map lays on the cap, e = 1 - r2.
+///
+/// With z the height of c over the rim, 1 - c.z^2 = r2 (1 - (k Vh.z)^2 + (1 + k Vh.z) z): no difference is taken. What
+/// stays is the sum c + Vh where c is nearly -Vh. The third component is that of c over the rim, (1 - k) Vh.z short.
+template <class F>
+VNDF_INLINE Vec3<F> on_cap(const CapView<F>& view, const Cap<F>& cap, F r2, F e, const Angle<F>& phi) {
+  F z = e * cap.height;
+  F radius = op::sqrt(r2 * (cap.radius2 + cap.height * z));
+  return {radius * phi.cos + view.x, radius * phi.sin + view.y, z};
+}
+
+/// Dupuy and Benyoub 2023, Listing 3, from u1 for the azimuth and u2 for the height of c.
 template <class F>
 VNDF_INLINE Vec3<F> sample_cap(Vec3<F> wo, Vec2<F> alpha, Vec2<F> u) {
-  F hx = alpha.x * wo.x;
-  F hy = alpha.y * wo.y;
-  Int<F> larger = op::max(op::max(op::bits(op::abs(hx)), op::bits(op::abs(hy))), op::bits(op::abs(wo.z)));
-  Int<F> exponent = op::max(larger, Int<F>(0x00800000)) & Int<F>(0x7f800000);
-  F scale = op::from_bits(Int<F>(0x7f000000) - exponent);
-  F x = hx * scale;
-  F y = hy * scale;
-  F abs_z = op::abs(wo.z * scale);
-
-  F r2 = x * x + y * y;
-  F sum = op::sqrt(r2 + abs_z * abs_z) + abs_z;  // len (1 + |z|)
-  F len_plus_z = op::select(wo.z < F(0.f), r2 / sum, sum);
-  F z = (F(1.f) - u.y) * len_plus_z;
-  F radius = op::sqrt(u.y * (r2 + len_plus_z * z));
-  Angle<F> phi = sincos2pi(u.x);
-  return {radius * phi.cos + x, radius * phi.sin + y, z};
+  auto view = map_to_cap(wo, alpha, cap_scale(wo, alpha));
+  Cap<F> cap = visible_cap(view);
+  cap.height =
+      op::select(wo.z < F(0.f), view.r2 / view.sum, cap.height);  // below the horizon 1 + Vh.z is the small one
+  return on_cap(view, cap, u.y, F(1.f) - u.y, sincos2pi(u.x));
 }
 
 }  // namespace VNDF_LANES_BUILD

@@ -1,0 +1,205 @@
+// Reflection at a visible normal: direction, density and weight in one pass from the hemisphere configuration, and the
+// same density and the BRDF for a given pair of directions.
+//
+// All of it needs two lengths of the view: a = |A wo|, and `area`, twice the projected area of the normals that are
+// sampled: a + wo.z for all visible ones. Views are unit vectors above the horizon or on it; below, directions are
+// written, with density and weight 0.
+#pragma once
+
+#include <vndf/lanes/ggx.h>
+#include <vndf/lanes/spherical_cap.h>
+
+namespace vndf::lanes {
+inline namespace VNDF_LANES_BUILD {
+
+/// A visible normal in the hemisphere configuration, of any length: nh = c Nh. And what the shading step needs to know
+/// of how it was sampled.
+template <class F>
+struct Facet {
+  Vec3<F> nh;
+  F norm2;      // c^2
+  F twice_cos;  // 2 A wo.nh = 2 c |A Nh| wo.wm
+  F length;     // |A wo|
+  F area;       // |A wo| + k wo.z, twice the projected area of the normals that are sampled; k = 1 if not bounded
+};
+
+/// nh.z with the addend of map_from_hemisphere, before its length is taken, so that the two agree.
+template <class F>
+VNDF_INLINE Vec3<F> with_direction(Vec3<F> nh) {
+  return {nh.x, nh.y, nh.z + F(0x1p-62f)};
+}
+
+/// A normal from the disk, and 2 A wo.nh through the height that the reprojection takes its root of, not as a sum of
+/// products.
+template <class F>
+struct ChordFacet {
+  Vec3<F> nh;
+  F twice_cos;
+};
+
+template <class F>
+VNDF_INLINE ChordFacet<F> sample_on_chord(const HemisphereView<F>& view, F length, const Chord<F>& t) {
+  F cos;
+  Vec3<F> nh = with_direction(reproject(view, t, squish(view, t), cos));
+  return {nh, (cos + cos) * length};
+}
+template <class F>
+VNDF_INLINE Facet<F> facet_of(const ChordFacet<F>& facet, F wo_z, F length) {
+  return {facet.nh, dot(facet.nh, facet.nh), facet.twice_cos, length, length + wo_z};
+}
+
+/// A normal from the cap. It is the sum of two vectors as long as A wo, one of which is A wo: 2 A wo.nh = |nh|^2.
+template <class F>
+struct CapFacet {
+  Vec3<F> nh;
+  F length;
+  F area;
+};
+
+/// `r2`, e and phi are the disk point, see on_cap.
+template <class F>
+VNDF_INLINE CapFacet<F> sample_visible_cap(Vec3<F> wo, Vec2<F> alpha, F r2, F e, const Angle<F>& phi) {
+  auto view = map_to_cap(wo, alpha, F(1.f));
+  auto cap = visible_cap(view);
+  return {with_direction(on_cap(view, cap, r2, e, phi)), view.length, cap.height};
+}
+
+/// Eto and Tokuyoshi 2023: the part of the cap whose reflections can be above the horizon.
+template <class F>
+VNDF_INLINE CapFacet<F> sample_bounded_cap(Vec3<F> wo, Vec2<F> alpha, F r2, F e, const Angle<F>& phi) {
+  auto view = map_to_cap(wo, alpha, F(1.f));
+  auto bound = reflection_bound(wo, alpha);
+  auto cap = bounded_cap(view, bound);
+  Vec3<F> nh = on_cap(view, cap, r2, e, phi);
+  nh.z = nh.z + bound.one_minus_k * view.abs_z;
+  return {with_direction(nh), view.length, cap.height};
+}
+template <class F>
+VNDF_INLINE Facet<F> facet_of(const CapFacet<F>& facet) {
+  F norm2 = dot(facet.nh, facet.nh);
+  return {facet.nh, norm2, norm2, facet.length, facet.area};
+}
+
+/// The normal in the ellipsoid configuration, not normalised: p = c A Nh = c |A Nh| wm.
+template <class F>
+struct Normal {
+  Vec3<F> p;
+  F p2, inv_p2;  // |p|^2
+};
+
+template <class F>
+VNDF_INLINE Normal<F> normal_of(const Facet<F>& facet, const Vec2<F>& alpha) {
+  Vec3<F> p = {alpha.x * facet.nh.x, alpha.y * facet.nh.y, facet.nh.z};
+  F p2 = dot(p, p);
+  return {p, p2, F(1.f) / p2};
+}
+
+/// A unit normal, the one of sample_normals to the last bit, and the cosine to the view.
+template <class F>
+struct UnitNormal {
+  Vec3<F> wm;
+  F cos;
+};
+
+template <class F>
+VNDF_INLINE UnitNormal<F> unit_normal(const Facet<F>& facet, const Normal<F>& normal) {
+  F inv = F(1.f) / op::sqrt(normal.p2);
+  return {{normal.p.x * inv, normal.p.y * inv, normal.p.z * inv}, (facet.twice_cos * F(0.5f)) * inv};
+}
+
+/// Heitz 2018, eq. 16: wi = 2 (wo.wm) wm - wo, without a square root.
+template <class F>
+VNDF_INLINE Vec3<F> reflect(const Vec3<F>& wo, const Facet<F>& facet, const Normal<F>& normal) {
+  F t = facet.twice_cos * normal.inv_p2;
+  return {t * normal.p.x - wo.x, t * normal.p.y - wo.y, t * normal.p.z - wo.z};
+}
+
+/// The density of the reflected direction, eq. 17, is D(wm) / (2 area) with D = |A Nh|^4 / (pi alpha_x alpha_y). This
+/// is 1 / (2 pi density); for the sake of the range each alpha is taken together with one |A Nh|^2.
+template <class F>
+VNDF_INLINE F spread(const Facet<F>& facet, const Normal<F>& normal, const Vec2<F>& alpha) {
+  F g = facet.norm2 * normal.inv_p2;
+  return (op::abs(alpha.x * g) * op::abs(alpha.y * g)) * facet.area;
+}
+
+/// A weight without the excess over 1 that only rounding can give it.
+template <class F>
+VNDF_INLINE F at_most_one(F weight) {
+  return op::select(weight > F(1.f), F(1.f), weight);
+}
+
+/// The weight G2(wo, wi) / G1(wo) and, if the sampling is bounded, times the share of the visible area that it leaves.
+/// length_o = |A wo|, length_i = |A wi|.
+struct HeightCorrelated {
+  template <class F>
+  static VNDF_INLINE F weight(F wo_z, F length_o, F area, F wi_z, F length_i) {
+    return at_most_one((wi_z * area) / (wi_z * length_o + length_i * wo_z));
+  }
+};
+struct Separable {
+  template <class F>
+  static VNDF_INLINE F weight(F wo_z, F length_o, F area, F wi_z, F length_i) {
+    return at_most_one(((wi_z + wi_z) * area) / ((wi_z + length_i) * (wo_z + length_o)));
+  }
+};
+
+/// The value where light can go from wi to wo above the surface: wo.z >= 0 and wi.z > 0. Else 0.
+template <class F>
+VNDF_INLINE F where_above(F wo_z, F wi_z, F value) {
+  return op::select(wo_z < F(0.f), F(0.f), op::select(wi_z > F(0.f), value, F(0.f)));
+}
+
+/// A sampled direction, its density, and what the light from there counts: f cos / pdf, without Fresnel's factor.
+template <class F>
+struct ReflectionSample {
+  Vec3<F> wi;
+  F pdf, weight;
+};
+
+/// From a reflected direction, the lengths of its facet and its spread.
+template <class Masking, class F>
+VNDF_INLINE ReflectionSample<F> weigh_reflection(F wo_z, const Vec2<F>& alpha, F length, F area, const Vec3<F>& wi,
+                                                 F spread) {
+  F weight = Masking::weight(wo_z, length, area, wi.z, stretched_length(wi, alpha));
+  return {wi, where_above(wo_z, wi.z, F(kInv2Pi) / spread), where_above(wo_z, wi.z, weight)};
+}
+
+/// From a facet: reflect, density, weight.
+template <class Masking, class F>
+VNDF_INLINE ReflectionSample<F> sample_reflection(const Vec3<F>& wo, const Vec2<F>& alpha, const Facet<F>& facet) {
+  auto normal = normal_of(facet, alpha);
+  return weigh_reflection<Masking>(wo.z, alpha, facet.length, facet.area, reflect(wo, facet, normal),
+                                   spread(facet, normal, alpha));
+}
+
+/// f cos without Fresnel's factor, and the density that sampling has for the pair.
+template <class F>
+struct Evaluation {
+  F f_cos, pdf;
+};
+
+/// D(h) / (2 area), and f cos = pdf weight. h = wo + wi is taken as it is: one rounding for each component, none for
+/// its length.
+template <class Masking, class F>
+VNDF_INLINE Evaluation<F> evaluate_reflection(const Vec3<F>& wo, const Vec3<F>& wi, const Vec2<F>& alpha, F length,
+                                              F area) {
+  F pdf = ndf<F>({wo.x + wi.x, wo.y + wi.y, wo.z + wi.z}, alpha) / (area + area);
+  F weight = Masking::weight(wo.z, length, area, wi.z, stretched_length(wi, alpha));
+  return {where_above(wo.z, wi.z, pdf * weight), where_above(wo.z, wi.z, pdf)};
+}
+
+template <class Masking, class F>
+VNDF_INLINE Evaluation<F> evaluate_reflection(const Vec3<F>& wo, const Vec3<F>& wi, const Vec2<F>& alpha) {
+  F length = stretched_length(wo, alpha);
+  return evaluate_reflection<Masking>(wo, wi, alpha, length, length + wo.z);
+}
+
+/// The pair of bounded sampling.
+template <class Masking, class F>
+VNDF_INLINE Evaluation<F> evaluate_reflection_bounded(const Vec3<F>& wo, const Vec3<F>& wi, const Vec2<F>& alpha) {
+  F length = stretched_length(wo, alpha);
+  return evaluate_reflection<Masking>(wo, wi, alpha, length, length + reflection_bound(wo, alpha).k * wo.z);
+}
+
+}  // namespace VNDF_LANES_BUILD
+}  // namespace vndf::lanes

@@ -1,0 +1,52 @@
+// Batches in the tests' own shape.
+#pragma once
+
+#include <vector>
+
+#include <vndf/vndf.h>
+
+#include "model.h"
+
+namespace vndf::shading {
+
+/// Directions as columns.
+struct Directions {
+  std::vector<float> x, y, z;
+
+  explicit Directions(std::size_t count = 0) : x(count), y(count), z(count) {}
+  std::size_t size() const { return x.size(); }
+  Columns3 in() const { return {x.data(), y.data(), z.data()}; }
+  Out3 out() { return {x.data(), y.data(), z.data()}; }
+  template <class R = double>
+  V3<R> at(std::size_t i) const {
+    return {R(x[i]), R(y[i]), R(z[i])};
+  }
+  template <class R>
+  void set(std::size_t i, const V3<R>& v) {
+    x[i] = float(v.x);
+    y[i] = float(v.y);
+    z[i] = float(v.z);
+  }
+};
+
+struct Samples {
+  Directions wi, wm;
+  std::vector<float> pdf, weight, cos, side;
+
+  explicit Samples(std::size_t count) : wi(count), wm(count), pdf(count), weight(count), cos(count), side(count) {}
+  ReflectionSamples reflection() { return {wi.out(), pdf.data(), weight.data(), {nullptr, nullptr, nullptr}, nullptr}; }
+  ReflectionSamples with_normals() { return {wi.out(), pdf.data(), weight.data(), wm.out(), cos.data()}; }
+  DielectricSamples dielectric() { return {wi.out(), pdf.data(), weight.data(), side.data()}; }
+};
+
+struct Values {
+  std::vector<float> f_cos, pdf;
+
+  explicit Values(std::size_t count) : f_cos(count), pdf(count) {}
+  Evaluations out() { return {f_cos.data(), pdf.data()}; }
+};
+
+constexpr Warp kWarps[] = {Warp::polar, Warp::concentric, Warp::spherical_cap};
+constexpr const char* kWarpNames[] = {"polar", "concentric", "spherical_cap"};
+
+}  // namespace vndf::shading
