@@ -9,7 +9,7 @@
 namespace bench {
 
 constexpr std::size_t kInputs = 7;   // wo.x, wo.y, wo.z, alpha_x, alpha_y, u1, u2
-constexpr std::size_t kOutputs = 3;  // wm.x, wm.y, wm.z
+constexpr std::size_t kOutputs = 8;  // wm.x, wm.y, wm.z, wi.x, wi.y, wi.z, pdf, weight
 
 /// The columns of one batch, in the order of the constants above. `arena` owns the floats.
 struct Batch {

@@ -1,8 +1,8 @@
 // vndf_bench: throughput of the library, its peers and a plain copy, on Google Benchmark.
 //
 // Names: <operation>/<warp>/<isa>/<input>/<count>, e.g. sample_normals/polar/avx512/camera/4096. A peer's name stands
-// for its operation. Counters: items_per_second (samples) and time_per_sample (in seconds; the console shows
-// nanoseconds).
+// for its operation. Counters: items_per_second (samples) bytes_per_second (columns read and written) and
+// time_per_sample (in seconds; the console shows nanoseconds).
 #include <benchmark/benchmark.h>
 
 #include <cstdio>
@@ -32,6 +32,7 @@ using Call = std::function<void(const bench::Batch&)>;
 struct Operation {
   std::string name;  // <operation>/<warp>/<isa>
   const char* isa;   // to set in the library, or null
+  int columns;       // read and written
   Call call;
 };
 
@@ -51,13 +52,14 @@ const bench::Batch& batch_of(const Data& data) {
   return entry->second;
 }
 
-void measure(benchmark::State& state, const Call& call, const bench::Batch& batch) {
+void measure(benchmark::State& state, const Call& call, int columns, const bench::Batch& batch) {
   for (auto _ : state) {
     call(batch);
     benchmark::ClobberMemory();  // the arena escaped when it was allocated: its contents count as used
   }
   double samples = static_cast<double>(state.iterations()) * static_cast<double>(batch.count);
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(batch.count));
+  state.SetBytesProcessed(state.items_processed() * columns * static_cast<std::int64_t>(sizeof(float)));
   using benchmark::Counter;
   state.counters["time_per_sample"] = Counter(samples, Counter::kIsRate | Counter::kInvert);
 }
@@ -66,15 +68,74 @@ void set_isa(benchmark::State& state, const char* isa) {
   if (isa && vndf::set_isa(isa) != vndf::IsaError::none) state.SkipWithError("instruction set refused");
 }
 
+vndf::Columns3 wo(const bench::Batch& b) {
+  return {b.in[0], b.in[1], b.in[2]};
+}
+vndf::Columns2 alpha(const bench::Batch& b) {
+  return {b.in[3], b.in[4]};
+}
+vndf::Columns2 u(const bench::Batch& b) {
+  return {b.in[5], b.in[6]};
+}
+vndf::Out3 wm(const bench::Batch& b) {
+  return {b.out[0], b.out[1], b.out[2]};
+}
+vndf::Out3 wi(const bench::Batch& b) {
+  return {b.out[3], b.out[4], b.out[5]};
+}
+
 Call sample_normals(vndf::Warp warp) {
-  return [warp](const bench::Batch& b) {
-    vndf::sample_normals(warp, b.count, {b.in[0], b.in[1], b.in[2]}, {b.in[3], b.in[4]}, {b.in[5], b.in[6]},
-                         {b.out[0], b.out[1], b.out[2]});
-  };
+  return [warp](const bench::Batch& b) { vndf::sample_normals(warp, b.count, wo(b), alpha(b), u(b), wm(b)); };
 }
 
 Call sample_disk(vndf::DiskMap map) {
-  return [map](const bench::Batch& b) { vndf::sample_disk(map, b.count, {b.in[5], b.in[6]}, {b.out[0], b.out[1]}); };
+  return [map](const bench::Batch& b) { vndf::sample_disk(map, b.count, u(b), {b.out[0], b.out[1]}); };
+}
+
+Call sample_reflection(vndf::Warp warp, bool bounded = false) {
+  vndf::ReflectionOptions options;
+  options.bounded = bounded;
+  return [=](const bench::Batch& b) {
+    vndf::sample_reflection(warp, b.count, wo(b), alpha(b), u(b), {wi(b), b.out[6], b.out[7]}, options);
+  };
+}
+
+/// What sample_reflection does, in three calls: normals, reflected directions, their density and weight.
+Call separate_reflection(vndf::Warp warp) {
+  return [warp](const bench::Batch& b) {
+    vndf::sample_normals(warp, b.count, wo(b), alpha(b), u(b), wm(b));
+    for (std::size_t i = 0; i < b.count; ++i) {
+      float twice_cos = 2 * (b.in[0][i] * b.out[0][i] + b.in[1][i] * b.out[1][i] + b.in[2][i] * b.out[2][i]);
+      for (int c = 0; c < 3; ++c) b.out[3 + c][i] = twice_cos * b.out[c][i] - b.in[c][i];
+    }
+    vndf::evaluate_reflection(b.count, wo(b), {b.out[3], b.out[4], b.out[5]}, alpha(b), {b.out[7], b.out[6]});
+    for (std::size_t i = 0; i < b.count; ++i) b.out[7][i] = b.out[6][i] > 0 ? b.out[7][i] / b.out[6][i] : 0;
+  };
+}
+
+// The evaluations take the view, turned, as the second direction.
+Call evaluate_reflection() {
+  return [](const bench::Batch& b) {
+    vndf::evaluate_reflection(b.count, wo(b), {b.in[1], b.in[0], b.in[2]}, alpha(b), {b.out[6], b.out[7]});
+  };
+}
+Call pdf_normals() {
+  return [](const bench::Batch& b) {
+    vndf::pdf_normals(b.count, wo(b), {b.in[1], b.in[0], b.in[2]}, alpha(b), b.out[6]);
+  };
+}
+
+constexpr float kEta = 1.5f;
+Call sample_dielectric(vndf::Warp warp) {
+  return [warp](const bench::Batch& b) {
+    vndf::sample_dielectric(warp, b.count, wo(b), alpha(b), kEta, {b.in[5], b.in[6], b.in[5]},
+                            {wi(b), b.out[6], b.out[7], b.out[0]});
+  };
+}
+Call evaluate_dielectric() {
+  return [](const bench::Batch& b) {
+    vndf::evaluate_dielectric(b.count, wo(b), {b.in[1], b.in[0], b.in[2]}, alpha(b), kEta, {b.out[6], b.out[7]});
+  };
 }
 
 Call columns(CopyFunction* function) {
@@ -90,22 +151,35 @@ std::vector<Operation> operations() {
   };
   for (const peers::Peer& peer : peers::peers())
     if (peer.supported)
-      all.push_back({std::string(peer.name) + "/" + peer.warp + "/" + peer.isa, nullptr, columns(peer.sample)});
+      all.push_back({std::string(peer.name) + "/" + peer.warp + "/" + peer.isa, nullptr, 10, columns(peer.sample)});
   for (const vndf::Isa& isa : vndf::isas()) {
     if (!isa.supported) continue;
-    auto add = [&](const char* name, Call call) {
-      all.push_back({std::string(name) + "/" + isa.name, isa.name, std::move(call)});
+    auto add = [&](const char* name, int columns, Call call) {
+      all.push_back({std::string(name) + "/" + isa.name, isa.name, columns, std::move(call)});
     };
-    add("sample_normals/polar", sample_normals(vndf::Warp::polar));
-    add("sample_normals/concentric", sample_normals(vndf::Warp::concentric));
-    add("sample_normals/spherical_cap", sample_normals(vndf::Warp::spherical_cap));
-    add("sample_disk/polar", sample_disk(vndf::DiskMap::polar));
-    add("sample_disk/concentric", sample_disk(vndf::DiskMap::concentric));
+    const struct {
+      vndf::Warp warp;
+      const char* name;
+    } warps[] = {{vndf::Warp::polar, "polar"},
+                 {vndf::Warp::concentric, "concentric"},
+                 {vndf::Warp::spherical_cap, "spherical_cap"}};
+    for (auto [warp, name] : warps) add(("sample_normals/" + std::string(name)).c_str(), 10, sample_normals(warp));
+    add("sample_disk/polar", 4, sample_disk(vndf::DiskMap::polar));
+    add("sample_disk/concentric", 4, sample_disk(vndf::DiskMap::concentric));
+    for (auto [warp, name] : warps)
+      add(("sample_reflection/" + std::string(name)).c_str(), 12, sample_reflection(warp));
+    add("sample_reflection_bounded/spherical_cap", 12, sample_reflection(vndf::Warp::spherical_cap, true));
+    add("separate_reflection/polar", 12, separate_reflection(vndf::Warp::polar));
+    add("evaluate_reflection/none", 10, evaluate_reflection());
+    add("pdf_normals/none", 9, pdf_normals());
+    for (auto [warp, name] : warps)
+      add(("sample_dielectric/" + std::string(name)).c_str(), 14, sample_dielectric(warp));
+    add("evaluate_dielectric/none", 10, evaluate_dielectric());
   }
-#define VNDF_COPY(isa)                                                               \
-  if (supported(#isa)) {                                                             \
-    all.push_back({"copy/plain/" #isa, nullptr, columns(copy_plain_##isa)});         \
-    all.push_back({"copy/streaming/" #isa, nullptr, columns(copy_streaming_##isa)}); \
+#define VNDF_COPY(isa)                                                                   \
+  if (supported(#isa)) {                                                                 \
+    all.push_back({"copy/plain/" #isa, nullptr, 10, columns(copy_plain_##isa)});         \
+    all.push_back({"copy/streaming/" #isa, nullptr, 10, columns(copy_streaming_##isa)}); \
   }
 #include "copies.h"
 #undef VNDF_COPY
@@ -121,7 +195,7 @@ void register_benchmarks() {
       std::string name = operation.name + "/" + data.input + "/" + std::to_string(data.count);
       benchmark::RegisterBenchmark(name.c_str(), [operation, data](benchmark::State& state) {
         set_isa(state, operation.isa);
-        measure(state, operation.call, batch_of(data));
+        measure(state, operation.call, operation.columns, batch_of(data));
       });
     }
 
@@ -130,7 +204,7 @@ void register_benchmarks() {
   std::string name = std::string("sample_normals/polar/") + best + "/camera/4096";
   auto two_threads = [best](benchmark::State& state) {
     set_isa(state, best);
-    measure(state, sample_normals(vndf::Warp::polar), bench::make_batch("camera", 4096));
+    measure(state, sample_normals(vndf::Warp::polar), 10, bench::make_batch("camera", 4096));
   };
   benchmark::RegisterBenchmark(name.c_str(), two_threads)->Threads(2)->UseRealTime();
 }
