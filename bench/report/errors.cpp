@@ -122,7 +122,7 @@ Row compare(const char* implementation, const char* warp, const char* isa, const
 }
 
 /// The library, on the active instruction set: the others give the same bits, which the tests make sure of.
-Row measure_ours(const HardCase& hard_case, Warp warp, const char* warp_name, std::size_t samples) {
+std::vector<Row> measure_ours(const HardCase& hard_case, Warp warp, const char* warp_name, std::size_t samples) {
   Inputs in = generate(hard_case, warp, samples, kSeed);
   Normals wm(samples);
   sample_normals(warp, samples, in.wo(), in.alpha(), in.u(), {wm.x.data(), wm.y.data(), wm.z.data()});
@@ -135,7 +135,22 @@ Row measure_ours(const HardCase& hard_case, Warp warp, const char* warp_name, st
   } else {
     oracle = oracle_normals(warp, in);
   }
-  return compare("sample_normals", warp_name, "any", hard_case, in, oracle, wm);
+  std::vector<Row> rows{compare("sample_normals", warp_name, "any", hard_case, in, oracle, wm)};
+  if (!in_shared_domain(in)) return rows;
+
+  // Reflections against the exact view reflected at the exact normal. It takes unit views above the horizon.
+  std::vector<float> pdf(samples), weight(samples);
+  sample_reflection(warp, samples, in.wo(), in.alpha(), in.u(),
+                    {{wm.x.data(), wm.y.data(), wm.z.data()}, pdf.data(), weight.data()});
+  for (std::size_t i = 0; i < samples; ++i) {
+    double x = in.wo_x[i], y = in.wo_y[i], z = in.wo_z[i];
+    double twice_cos = 2 * (x * oracle.x[i] + y * oracle.y[i] + z * oracle.z[i]);
+    oracle.x[i] = twice_cos * oracle.x[i] - x;
+    oracle.y[i] = twice_cos * oracle.y[i] - y;
+    oracle.z[i] = twice_cos * oracle.z[i] - z;
+  }
+  rows.push_back(compare("sample_reflection", warp_name, "any", hard_case, in, oracle, wm));
+  return rows;
 }
 
 Warp warp_named(const std::string& name) {
@@ -246,7 +261,7 @@ std::vector<Row> measure_all(const Options& options) {
   for (const HardCase& hard_case : hard_cases()) {
     if (!options.only.empty() && options.only != hard_case.name) continue;
     for (const auto& warp : kWarps) {
-      tasks.push_back([&] { return std::vector<Row>{measure_ours(hard_case, warp.warp, warp.name, options.samples)}; });
+      tasks.push_back([&] { return measure_ours(hard_case, warp.warp, warp.name, options.samples); });
     }
     tasks.push_back([&] { return measure_peers(hard_case, options.peer_samples); });
   }
