@@ -56,6 +56,22 @@ INSTANTIATE_TEST_SUITE_P(, SpecialValues,
                                             ::testing::ValuesIn(isa_names())),
                          warp_and_isa);
 
+TEST_P(SpecialValues, NoNaNForAnyAlphaAndLength) {
+  const float lengths[] = {0, 1e-42f, 1e-20f, 1, 1e17f};
+  const float directions[][3] = {{0, 0, 1},           {0, 0, -1},         {1, 0.1f, 0},   {-0.3f, 0.5f, 0.8f},
+                                 {0.3f, 0.5f, -0.8f}, {1, 0.1f, -1e-10f}, {0, 1e-20f, 1}, {1e-42f, 0, -1}};
+  const float alphas[] = {0, 1e-45f, 1e-30f, 1e-10f, 0.3f, 100, 1e4f, 1e10f, 1e20f};
+  for (const auto& wo : directions)
+    for (float length : lengths)
+      for (float alpha_x : alphas)
+        for (float alpha_y : alphas)
+          for_each_u([&](const float(&u)[2]) {
+            Normal wm = sample({length * wo[0], length * wo[1], length * wo[2]}, {alpha_x, alpha_y}, u);
+            ASSERT_FALSE(std::isnan(wm.x) || std::isnan(wm.y) || std::isnan(wm.z));
+            if (alpha_x <= 1e4f && alpha_y <= 1e4f) expect_unit_and_upper(wm);
+          });
+}
+
 TEST_P(SpecialValues, BothEndsOfTheRandomNumbers) {
   const float views[][3] = {{0, 0, 1},        {0.6f, 0, 0.8f},  {0.8f, 0.6f, 0},  {0.8f, 0.6f, -0.f}, {0, 1, 1e-6f},
                             {0.6f, 0, -0.8f}, {0, 1e-4f, -1.f}, {1e-12f, 0, 1.f}, {0, 1e-10f, 1.f}};

@@ -70,7 +70,7 @@ enum class DiskMap { polar, concentric };
 ///
 /// wo     unit view directions; views below the horizon (z < 0) are sampled as Heitz 2018, section 4.2, extends the
 ///        distribution to them. Any other length from 1e-30 to 1e30 gives the normal of the direction.
-/// alpha  roughness along x and y, from 1e-30 to 100 (up to 1e6 for views in the upper hemisphere), isotropic or not.
+/// alpha  roughness along x and y, from 1e-30 to 1e4, isotropic or not.
 /// u      uniform random numbers in [0, 1]; both ends are allowed.
 /// wm     unit normals of the upper hemisphere, wm.z >= 0.
 ///
@@ -93,6 +93,7 @@ enum class DiskMap { polar, concentric };
 ///  - azimuth (alpha_x wo.x, alpha_y wo.y) below 2^-100 in both components (polar, concentric): taken as +x.
 ///  - alpha = 0: the limit of a mirror, (0, 0, 1), unless wo is horizontal.
 ///  - negative alpha: as its absolute value, with the normal mirrored in that axis.
+///  - alpha above 1e4: where its square leaves the range of float, a vector shorter than 1; above 1e20, or NaN.
 ///  - u outside [0, 1]: a unit normal of no particular distribution, or NaN.
 ///  - NaN or infinity in any input of a lane, or |alpha wo| >= 2^126: unspecified values or NaN in that lane.
 ///
