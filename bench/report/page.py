@@ -245,12 +245,10 @@ def render(data: Measurements, figures: Figures, machine: dict[str, Any], source
                     + fit_note(data))
         for svg in figures.speed_against_error
     )
-    throughput = "".join(
-        figure(svg, "A batch grows from 16 samples to millions. Left, the cost of a call shows; in the middle, all columns "
-                    "fit in cache; right, memory sets the pace, and no kernel can pass the dashed copy, which reads and "
-                    "writes the same columns and computes nothing.")
-        for svg in figures.throughput
-    )
+    throughput = figure("".join(figures.throughput),
+                        "A batch grows from 16 samples to millions. Left, the cost of a call shows; in the middle, all columns "
+                        "fit in cache; right, memory sets the pace, and no kernel can pass the dashed copy, which reads and "
+                        "writes the same columns and computes nothing.") if figures.throughput else ""
     errors = "".join(
         figure(svg, "Each line runs from the mean error to the largest, the tick on it marks the 99.9th percentile, and the "
                     "dot is the worst sample. An ε is 2⁻²⁴, half a unit in the last place of 1: nothing stored in a float "

@@ -244,7 +244,7 @@ def throughput(data: Measurements, operation: str, source: str) -> Optional[str]
     for axes, warp in zip(panels[0], warps):
         axes.set_xscale("log", base=2)
         axes.set_yscale("log")
-        axes.set_title(nice(warp))
+        axes.set_title(f"{nice(operation)}, {nice(warp)}")
         draw_line(axes, roofline_by_count(data, operation), "soft", "copy", dashed=True)
         listing = [s for s in data.speeds if (s.operation, s.warp, s.isa) == LISTING and s.input == source]
         if data.peer_operation == operation:
@@ -421,12 +421,14 @@ def draw(data: Measurements, warps: dict[str, Any], source: str, count: int) -> 
     operations = unique(speed.operation for speed in data.speeds if data.is_ours(speed.operation))
     operations.sort(key=lambda operation: operation != data.peer_operation)
 
+    measured = {row.implementation for row in data.errors}
+
     def each(make: Callable[[str], Optional[str]]) -> list[str]:
         return [svg for operation in operations if (svg := make(operation))]
 
     return Figures(
         speed_against_error=each(lambda operation: speed_against_error(data, operation, source, count)),
-        throughput=each(lambda operation: throughput(data, operation, source)),
+        throughput=each(lambda operation: throughput(data, operation, source) if operation in measured else None),
         error_per_case=each(lambda operation: error_per_case(data, operation)),
         checker=warped_square(warps, "checker"),
         points=warped_square(warps, "points"),
