@@ -39,8 +39,10 @@ ShapeError make_shape(const float (&a)[9], Shape& shape) noexcept {
 
   // As in lanes::tilted_shape: t = a3 / |a3|, what a1 and a2 leave of it turned by a quarter about it, and t turned to z.
   double inv = 1 / std::sqrt(dot(a3, a3));
-  double sign = a3.z < 0 ? -inv : inv;
-  D3 t = {a3.x * sign, a3.y * sign, a3.z * sign};
+  double sign = a3.z < 0 ? -1 : 1;
+  D3 t = {a3.x * inv, a3.y * inv * sign, a3.z * inv * sign};
+  a13 = {a13.x, a13.y * sign, a13.z * sign};
+  a23 = {a23.x, a23.y * sign, a23.z * sign};
   double lean1 = a13.z / (1 + t.z), lean2 = a23.z / (1 + t.z);
   double inv2 = inv * inv;
   double xx = (t.y * lean1 - a13.y) * inv2, xy = (t.y * lean2 - a23.y) * inv2;

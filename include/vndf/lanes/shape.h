@@ -131,7 +131,7 @@ VNDF_INLINE Turned<F> turned_shape(const Vec2<F>& alpha, F theta_z) {
 ///
 /// With r1, r2, r3 the columns of R, a1 x a3 = S r1 x S r3 = -|S| S^-1 r2 and a2 x a3 = |S| S^-1 r1: what is left of a1
 /// and a2 when their share of a3 is taken off, turned by a quarter about a3, without a difference. Q turns t = a3 / |a3|
-/// to z by the shortest way; where t is below the horizon, -A stands for A. For theta = 0 the result is A, exactly.
+/// to z by the shortest way, and by a half turn about x before where t is below the horizon. For theta = 0 the result is A, exactly.
 template <class F>
 VNDF_INLINE Tilted<F> tilted_shape(const Vec2<F>& alpha, F theta_x, F theta_y, F theta_z) {
   auto x = angle_of(theta_x);
@@ -148,14 +148,17 @@ VNDF_INLINE Tilted<F> tilted_shape(const Vec2<F>& alpha, F theta_x, F theta_y, F
   Vec3<F> a3 = stretch(r3, alpha);
   F inv = F(1.f) / op::sqrt(dot(a3, a3));
   F inv2 = inv * inv;
-  Vec3<F> t = {a3.x * inv, a3.y * inv, a3.z * inv};
-  t = {op::select(t.z < F(0.f), F(0.f) - t.x, t.x), op::select(t.z < F(0.f), F(0.f) - t.y, t.y), op::abs(t.z)};
+  // With y and z mirrored, a half turn about x, where that is needed.
+  F t_y = a3.y * inv;
+  auto below = a3.z < F(0.f);
+  Vec3<F> t = {a3.x * inv, op::select(below, F(0.f) - t_y, t_y), op::abs(a3.z * inv)};
+  F alpha_x = op::select(below, F(0.f) - alpha.x, alpha.x);
 
-  F area = alpha.x * alpha.y;
+  F area = alpha_x * alpha.y;
   F s = F(1.f) / (F(1.f) + t.z);
   F lean1 = (area * r2.z) * s;
   F lean2 = (area * r1.z) * s;
-  return {{(alpha.x * r2.y - t.y * lean1) * inv2, (t.y * lean2 - alpha.x * r1.y) * inv2,
+  return {{(alpha_x * r2.y - t.y * lean1) * inv2, (t.y * lean2 - alpha_x * r1.y) * inv2,
            (t.x * lean1 - alpha.y * r2.x) * inv2, (alpha.y * r1.x - t.x * lean2) * inv2,
            {alpha.x * inv, alpha.y * inv2}},
           dot(a1, a3) * inv2,
