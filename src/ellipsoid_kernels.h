@@ -100,13 +100,13 @@ void pdf_normals_of(std::size_t count, const Columns3& wo, const Columns3& wm, c
 }
 
 // The functions for shapes of one kind.
-#define VNDF_SHAPE_KERNELS(kind, S)                                                                           \
-  {                                                                                                           \
-    {::sample_normals_of<kind, Warp::polar, S>, ::sample_normals_of<kind, Warp::concentric, S>,               \
-     ::sample_normals_of<kind, Warp::spherical_cap, S>},                                                      \
-        {::sample_reflection_of<kind, Warp::polar, S>, ::sample_reflection_of<kind, Warp::concentric, S>,     \
-         ::sample_reflection_of<kind, Warp::spherical_cap, S>},                                               \
-        ::evaluate_reflection_of<kind, S>, ::pdf_normals_of<kind, S>                                          \
+#define VNDF_SHAPE_KERNELS(kind, S)                                                                       \
+  {                                                                                                       \
+    {::sample_normals_of<kind, Warp::polar, S>, ::sample_normals_of<kind, Warp::concentric, S>,           \
+     ::sample_normals_of<kind, Warp::spherical_cap, S>},                                                  \
+        {::sample_reflection_of<kind, Warp::polar, S>, ::sample_reflection_of<kind, Warp::concentric, S>, \
+         ::sample_reflection_of<kind, Warp::spherical_cap, S>},                                           \
+        ::evaluate_reflection_of<kind, S>, ::pdf_normals_of<kind, S>                                      \
   }
 
 }  // namespace

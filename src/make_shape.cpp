@@ -37,7 +37,8 @@ ShapeError make_shape(const float (&a)[9], Shape& shape) noexcept {
   double lengths = std::sqrt(dot(a1, a1)) * std::sqrt(dot(a2, a2)) * std::sqrt(dot(a3, a3));
   if (!(determinant > kFlat * lengths)) return ShapeError::not_positive;
 
-  // As in lanes::tilted_shape: t = a3 / |a3|, what a1 and a2 leave of it turned by a quarter about it, and t turned to z.
+  // As in lanes::tilted_shape: t = a3 / |a3|, what a1 and a2 leave of it turned by a quarter about it, and t turned to
+  // z.
   double inv = 1 / std::sqrt(dot(a3, a3));
   double sign = a3.z < 0 ? -1 : 1;
   D3 t = {a3.x * inv, a3.y * inv * sign, a3.z * inv * sign};

@@ -254,8 +254,9 @@ class DielectricKernel {
         Vec3<F> wo = load_wo(in, i);
         auto below = wo.z < F(0.f);
         wo = lanes::turned(below, wo);
-        auto sample = lanes::sample_dielectric<MaskingOf<masking>>(
-            wo, AlphaColumns<3>::at(in, i), facets_.load(i, wo.z), lanes::turned_eta(below, in.load<7>(i)), in.load<8>(i));
+        auto sample =
+            lanes::sample_dielectric<MaskingOf<masking>>(wo, AlphaColumns<3>::at(in, i), facets_.load(i, wo.z),
+                                                         lanes::turned_eta(below, in.load<7>(i)), in.load<8>(i));
         Vec3<F> wi = lanes::turned(below, sample.wi);
         out.store<0>(i, wi.x);
         out.store<1>(i, wi.y);

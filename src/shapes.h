@@ -34,8 +34,7 @@ class OneShape {
   template <std::size_t N>
   VNDF_INLINE lanes::Tilted<F> at(const Inputs<N>&, std::size_t) const {
     lanes::Tilted<F> shape;
-    for (std::size_t c = 0; c < kMembers; ++c)
-      reinterpret_cast<F*>(&shape)[c] = lanes::op::load<F>(values_[c]);
+    for (std::size_t c = 0; c < kMembers; ++c) reinterpret_cast<F*>(&shape)[c] = lanes::op::load<F>(values_[c]);
     return shape;
   }
   template <std::size_t N>

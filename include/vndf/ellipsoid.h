@@ -16,8 +16,8 @@ namespace vndf {
 ///
 /// alpha    from 1e-6 to 100.
 /// theta_z  turns the axes of alpha about n: alpha_x is the roughness along (cos theta_z, -sin theta_z, 0).
-/// theta_x, theta_y  lean the distribution. Up to pi / 2 - 0.1 either way makes sense, and any angle is taken; A n must
-///          not vanish, which it does where alpha does and cos theta_x cos theta_y as well.
+/// theta_x, theta_y  lean the distribution. Angles are taken modulo 2 pi; up to pi either way costs 5 eps of the
+///          direction, more whole turns cost theta eps.
 struct Ellipsoid {
   Columns2 alpha;
   Column theta_x, theta_y, theta_z;
@@ -52,7 +52,16 @@ const char* message(ShapeError error) noexcept;
 /// sample_normals of vndf.h, step by step Walter's version 3, section 4.1, with A^T p / |A^T p| for the normal and the
 /// density of eq. 33. wm.z >= 0, and wo.wm >= 0 but for rounding.
 ///
-/// wo, u, wm, warp  as there.
+/// wo, u, wm, warp  as there. Views for which A wo points away from A n are sampled as well.
+///
+/// For theta = 0 the values of vndf.h, whichever way the zeros are given. theta_z alone is plain GGX in a turned frame.
+/// A spherical cap's azimuth is counted from where x comes to lie; that of the disk's warps goes by the view.
+///
+/// Largest error, in eps = 2^-24, against Walter's eq. 34-47 with A itself in quadruple precision, on 2^13 samples of
+/// each row of tests/ellipsoid/accuracy_test.cpp: for |theta_x|, |theta_y| <= 0.5 and alpha from 0.05 to 1 mean 1.7,
+/// p99.9 25, largest 63; down to alpha = 1e-3 mean 1.6, p99.9 28, largest 246. That is at most 3 (polar, concentric) or
+/// 10 (spherical_cap) times 1 + what half a unit of the last place of every input moves the exact normal by. For any
+/// angles mean 3.3, p99.9 140, largest 680, or 1630 for the cap, at most 5 times it (the cap 120).
 ///
 /// NaN or infinity in any input of a lane, or alpha = 0: unspecified values or NaN in that lane.
 void sample_normals(Warp warp, std::size_t count, const Columns3& wo, const Ellipsoid& ellipsoid, const Columns2& u,
@@ -61,15 +70,16 @@ void sample_normals(Warp warp, std::size_t count, const Columns3& wo, const Shap
                     const Out3& wm) noexcept;
 
 /// sample_reflection of vndf.h: wi, eq. 47; pdf, eq. 48; weight, eq. 50 without Fresnel's factor, in [0, 1]. Masking is
-/// G = G1(wo) G1(wi), eq. 5, with the minimum of eq. 6: the height-correlated one is not defined with it, and neither is
-/// bounded sampling.
+/// G = G1(wo) G1(wi), eq. 5, with the minimum of eq. 6: the height-correlated one is not defined with it, and neither
+/// is bounded sampling. For theta = 0 wi has the values of vndf.h, pdf and weight are within 8 eps of its separable
+/// ones.
 void sample_reflection(Warp warp, std::size_t count, const Columns3& wo, const Ellipsoid& ellipsoid, const Columns2& u,
                        const ReflectionSamples& out) noexcept;
 void sample_reflection(Warp warp, std::size_t count, const Columns3& wo, const Shape& shape, const Columns2& u,
                        const ReflectionSamples& out) noexcept;
 
 /// evaluate_reflection of vndf.h: f_cos = D(h) G1(wo) G1(wi) / (4 wo.z), eq. 4, and the pdf of sample_reflection. Both
-/// are 0 where wo.z < 0 or wi.z <= 0.
+/// are 0 where wo.z < 0 or wi.z <= 0. For theta = 0 within 16 eps of vndf.h.
 void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& wi, const Ellipsoid& ellipsoid,
                          const Evaluations& out) noexcept;
 void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& wi, const Shape& shape,

@@ -52,8 +52,8 @@ V3<double> exact_normal(Warp warp, const float (&in)[10]) {
   V3<Quad> psi{in[0], in[1], in[2]};
   M3<Quad> a = matrix<Quad>({in[3], in[4], in[5], in[6], in[7]});
   Quad u1 = in[8], u2 = in[9];
-  auto m = warp == Warp::spherical_cap ? sample_cap(psi, a, u1, u2)
-                                       : sample_version_3(psi, a, disk_point(warp, u1, u2));
+  auto m =
+      warp == Warp::spherical_cap ? sample_cap(psi, a, u1, u2) : sample_version_3(psi, a, disk_point(warp, u1, u2));
   return {double(m.x), double(m.y), double(m.z)};
 }
 double distance(const V3<double>& a, const V3<double>& b) {
@@ -78,10 +78,14 @@ struct Row {
   double least_alpha, largest_alpha, largest_theta, least_cos, largest_cos;
 };
 constexpr Row kRows[] = {
-    {"typical", 0.05, 1, 0.5, 0, 1},           {"grazing", 0.05, 1, 0.5, 0, 1e-3},
-    {"normal_incidence", 0.05, 1, 0.5, 0.999999, 1}, {"small_alpha", 1e-3, 1e-2, 0.5, 0, 1},
-    {"any_alpha", 1e-3, 1, 0.5, 0, 1},         {"below_horizon", 0.05, 1, 0.5, -1, 0},
-    {"any_angle", 0.05, 1, 3.1, 0, 1},         {"any_angle_small_alpha", 1e-3, 1e-2, 3.1, 0, 1},
+    {"typical", 0.05, 1, 0.5, 0, 1},
+    {"grazing", 0.05, 1, 0.5, 0, 1e-3},
+    {"normal_incidence", 0.05, 1, 0.5, 0.999999, 1},
+    {"small_alpha", 1e-3, 1e-2, 0.5, 0, 1},
+    {"any_alpha", 1e-3, 1, 0.5, 0, 1},
+    {"below_horizon", 0.05, 1, 0.5, -1, 0},
+    {"any_angle", 0.05, 1, 3.1, 0, 1},
+    {"any_angle_small_alpha", 1e-3, 1e-2, 3.1, 0, 1},
 };
 
 Batch inputs(const Row& row, std::size_t count, std::uint64_t seed) {
@@ -106,13 +110,11 @@ Batch inputs(const Row& row, std::size_t count, std::uint64_t seed) {
 }
 
 class Accuracy : public ::testing::TestWithParam<std::tuple<int, int>> {};
-INSTANTIATE_TEST_SUITE_P(, Accuracy,
-                         ::testing::Combine(::testing::Range(0, 3),
-                                            ::testing::Range(0, int(sizeof kRows / sizeof *kRows))),
-                         [](const auto& info) {
-                           return std::string(kWarpNames[std::get<0>(info.param)]) + "_" +
-                                  kRows[std::get<1>(info.param)].name;
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    , Accuracy, ::testing::Combine(::testing::Range(0, 3), ::testing::Range(0, int(sizeof kRows / sizeof *kRows))),
+    [](const auto& info) {
+      return std::string(kWarpNames[std::get<0>(info.param)]) + "_" + kRows[std::get<1>(info.param)].name;
+    });
 
 // The distance from the exact normal; over 1 + what half a unit in each input moves that normal by, too: with A n
 // leaning, A wo is a sum that can cancel, which it does near the directions where A wo is perpendicular to A n.
@@ -140,17 +142,16 @@ TEST_P(Accuracy, Normals) {
       ++opposite;
       worst_opposite = std::max(worst_opposite, error);
     }
-    if (error > 10)
-      over_conditioning = std::max(over_conditioning, error / (1 + conditioning(warp, values) / kEps));
+    if (error > 10) over_conditioning = std::max(over_conditioning, error / (1 + conditioning(warp, values) / kEps));
   }
   double mean = 0;
   for (double e : errors) mean += e / double(kCount);
   std::sort(errors.begin(), errors.end());
   double p999 = errors[kCount - 1 - kCount / 1000];
-  std::printf("%s %s: mean %.2f, p99.9 %.1f, max %.1f eps; max over conditioning %.1f; %d with A psi "
-              "within 0.045 of -A n, max %.1f\n",
-              kWarpNames[std::get<0>(GetParam())], row.name, mean, p999, worst, over_conditioning,
-              opposite, worst_opposite);
+  std::printf(
+      "%s %s: mean %.2f, p99.9 %.1f, max %.1f eps; max over conditioning %.1f; %d with A psi "
+      "within 0.045 of -A n, max %.1f\n",
+      kWarpNames[std::get<0>(GetParam())], row.name, mean, p999, worst, over_conditioning, opposite, worst_opposite);
   if (warp == Warp::spherical_cap) return;
   EXPECT_LE(over_conditioning, 8);
   if (row.largest_theta <= 0.5 && row.least_alpha >= 0.05 && row.least_cos >= 0) {
@@ -224,8 +225,8 @@ TEST(Identity, TurnedFrame) {
     Batch in = inputs(kRows[0], kCount, 8);
     Directions turned_wo(kCount), plain(kCount), other(kCount);
     for (std::size_t i = 0; i < kCount; ++i)
-      turned_wo.set(i, rotation<double>(0, 0, in.column[7][i]) *
-                           V3<double>{in.column[0][i], in.column[1][i], in.column[2][i]});
+      turned_wo.set(
+          i, rotation<double>(0, 0, in.column[7][i]) * V3<double>{in.column[0][i], in.column[1][i], in.column[2][i]});
     sample_normals(warp, kCount, turned_wo.in(), in.alpha(), in.u(), plain.out());
     sample_normals(warp, kCount, in.wo(), Ellipsoid(in.alpha(), 0.f, 0.f, in.column[7].data()), in.u(), other.out());
     for (std::size_t i = 0; i < kCount; ++i) {

@@ -15,8 +15,8 @@ using reference::Random;
 using Table = std::vector<std::vector<float>>;  // wo, second, alpha, theta, u: 13 columns
 
 float value(Random& random, std::size_t c, bool bad) {
-  static const float values[] = {0.f, -0.f, 1.f,  -1.f, 1e-40f,   1e-20f, 1e20f, 1e-6f,
-                                 2.f, 100.f, NAN, INFINITY, -INFINITY, 3e38f, -0.3f, 1e-30f};
+  static const float values[] = {0.f, -0.f,  1.f, -1.f,     1e-40f,    1e-20f, 1e20f, 1e-6f,
+                                 2.f, 100.f, NAN, INFINITY, -INFINITY, 3e38f,  -0.3f, 1e-30f};
   if (bad && random.below(4) == 0) return values[random.below(sizeof values / sizeof *values)];
   if (bad && random.below(16) == 0) {
     auto bits = std::uint32_t(random.bits());

@@ -13,8 +13,8 @@ using reference::Random;
 using D = double;
 
 constexpr Parameters kShapes[] = {
-    {0.5f, 0.5f, 0, 0, 0},           {0.15f, 0.5f, 0, 0, 0.7f},      {0.3f, 0.6f, 0.3f, -0.2f, 0.5f},
-    {0.1f, 0.4f, -0.5f, 0.5f, 2.f},  {0.8f, 0.2f, 0.5f, 0.4f, -3.f}, {0.05f, 0.05f, 0.2f, 0.1f, 0},
+    {0.5f, 0.5f, 0, 0, 0},          {0.15f, 0.5f, 0, 0, 0.7f},      {0.3f, 0.6f, 0.3f, -0.2f, 0.5f},
+    {0.1f, 0.4f, -0.5f, 0.5f, 2.f}, {0.8f, 0.2f, 0.5f, 0.4f, -3.f}, {0.05f, 0.05f, 0.2f, 0.1f, 0},
     {0.3f, 0.2f, 1.f, -0.8f, 1.f},
 };
 constexpr int kShapeCount = int(sizeof kShapes / sizeof *kShapes);

@@ -6,8 +6,8 @@
 namespace vndf::lanes {
 inline namespace VNDF_LANES_BUILD {
 
-/// G = G1(wo) G1(wi), eq. 5, with G1(v) = min(1, 2 v.z / (|A v| + (A v).z)), eq. 6. Leaning ellipsoids can show less than
-/// the surface that they stand for; the minimum keeps G1 plausible.
+/// G = G1(wo) G1(wi), eq. 5, with G1(v) = min(1, 2 v.z / (|A v| + (A v).z)), eq. 6. Leaning ellipsoids can show less
+/// than the surface that they stand for; the minimum keeps G1 plausible.
 struct Lunes {
   /// Eq. 50: G1(wo) G1(wi) area / (2 wo.z), which is min(1, area / (2 wo.z)) G1(wi). Each is a quotient of a smaller
   /// number and a larger one, and one division takes both, so that it exceeds 1 by no rounding.

@@ -6,9 +6,9 @@
 // written, with density and weight 0.
 #pragma once
 
-#include <type_traits>
 #include <vndf/lanes/ggx.h>
 #include <vndf/lanes/spherical_cap.h>
+#include <type_traits>
 
 namespace vndf::lanes {
 inline namespace VNDF_LANES_BUILD {

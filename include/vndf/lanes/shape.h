@@ -3,9 +3,9 @@
 // (Walter et al. 2015) has any A with |A| > 0.
 //
 // Neither a factor nor an orthogonal matrix on the left of A changes the distribution, so every A can be had with
-// A n = n: Q A / |A n|, with Q turning A n to z. Then A n is the z axis of the hemisphere configuration, as in plain GGX,
-// the cosine of Walter's lune angle is Vh.z, and everything between eq. 5 and eq. 6 of Heitz 2018 carries over. What is
-// new is that Vh can be below the horizon for a view above it, and the other way round.
+// A n = n: Q A / |A n|, with Q turning A n to z. Then A n is the z axis of the hemisphere configuration, as in plain
+// GGX, the cosine of Walter's lune angle is Vh.z, and everything between eq. 5 and eq. 6 of Heitz 2018 carries over.
+// What is new is that Vh can be below the horizon for a view above it, and the other way round.
 //
 // Frames: Walter's disk is Heitz's turned, (x_a, y_a) = (t2, -t1). Here it is Heitz's everywhere.
 #pragma once
@@ -130,8 +130,9 @@ VNDF_INLINE Turned<F> turned_shape(const Vec2<F>& alpha, F theta_z) {
 /// S Rx(theta_x) Ry(theta_y) Rz(theta_z), eq. 2-3.
 ///
 /// With r1, r2, r3 the columns of R, a1 x a3 = S r1 x S r3 = -|S| S^-1 r2 and a2 x a3 = |S| S^-1 r1: what is left of a1
-/// and a2 when their share of a3 is taken off, turned by a quarter about a3, without a difference. Q turns t = a3 / |a3|
-/// to z by the shortest way, and by a half turn about x before where t is below the horizon. For theta = 0 the result is A, exactly.
+/// and a2 when their share of a3 is taken off, turned by a quarter about a3, without a difference. Q turns t = a3 /
+/// |a3| to z by the shortest way, and by a half turn about x before where t is below the horizon. For theta = 0 the
+/// result is A, exactly.
 template <class F>
 VNDF_INLINE Tilted<F> tilted_shape(const Vec2<F>& alpha, F theta_x, F theta_y, F theta_z) {
   auto x = angle_of(theta_x);
@@ -158,8 +159,10 @@ VNDF_INLINE Tilted<F> tilted_shape(const Vec2<F>& alpha, F theta_x, F theta_y, F
   F s = F(1.f) / (F(1.f) + t.z);
   F lean1 = (area * r2.z) * s;
   F lean2 = (area * r1.z) * s;
-  return {{(alpha_x * r2.y - t.y * lean1) * inv2, (t.y * lean2 - alpha_x * r1.y) * inv2,
-           (t.x * lean1 - alpha.y * r2.x) * inv2, (alpha.y * r1.x - t.x * lean2) * inv2,
+  return {{(alpha_x * r2.y - t.y * lean1) * inv2,
+           (t.y * lean2 - alpha_x * r1.y) * inv2,
+           (t.x * lean1 - alpha.y * r2.x) * inv2,
+           (alpha.y * r1.x - t.x * lean2) * inv2,
            {alpha.x * inv, alpha.y * inv2}},
           dot(a1, a3) * inv2,
           dot(a2, a3) * inv2};

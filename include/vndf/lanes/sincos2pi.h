@@ -41,8 +41,8 @@ VNDF_INLINE Angle<F> sincos2pi(F u) {
 
 /// (cos, sin)(theta), theta in radians.
 ///
-/// theta / 2 pi in two parts, less its whole turns: adding and subtracting 1.5 x 2^23 rounds to integers. The sine keeps
-/// its relative accuracy near 0, and (cos, sin)(0) is (1, 0).
+/// theta / 2 pi in two parts, less its whole turns: adding and subtracting 1.5 x 2^23 rounds to integers. The sine
+/// keeps its relative accuracy near 0, and (cos, sin)(0) is (1, 0).
 template <class F>
 VNDF_INLINE Angle<F> angle_of(F theta) {
   constexpr float kTurn = 0x1.45f306p-3f, kTurnRest = 0x1.b9391p-28f, kRounder = 0x1.8p23f;
