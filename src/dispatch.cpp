@@ -102,6 +102,71 @@ void evaluate_dielectric(std::size_t count, const Columns3& wo, const Columns3& 
   active().kernels->evaluate_dielectric[static_cast<int>(masking)](count, wo, wi, alpha, eta, out);
 }
 
+namespace {
+
+bool constant(const Column& column) {
+  return !column.data;
+}
+bool zero(const Column& column) {
+  return constant(column) && column.value == 0;
+}
+
+/// Calls f(kernels, shape) with the cheapest kernels for the ellipsoid.
+template <class F>
+void with_cheapest(const Ellipsoid& e, F f) {
+  const KernelTable& kernels = *active().kernels;
+  if (constant(e.alpha.x) && constant(e.alpha.y) && constant(e.theta_x) && constant(e.theta_y) && constant(e.theta_z))
+    f(kernels.one_shape, kernels.shape_of(e));
+  else if (zero(e.theta_x) && zero(e.theta_y))
+    f(kernels.turned, e);
+  else
+    f(kernels.tilted, e);
+}
+
+}  // namespace
+
+void sample_normals(Warp warp, std::size_t count, const Columns3& wo, const Shape& shape, const Columns2& u,
+                    const Out3& wm) noexcept {
+  active().kernels->one_shape.sample_normals[static_cast<int>(warp)](count, wo, shape, u, wm);
+}
+void sample_normals(Warp warp, std::size_t count, const Columns3& wo, const Ellipsoid& ellipsoid, const Columns2& u,
+                    const Out3& wm) noexcept {
+  with_cheapest(ellipsoid, [&](const auto& kernels, const auto& shape) {
+    kernels.sample_normals[static_cast<int>(warp)](count, wo, shape, u, wm);
+  });
+}
+
+void sample_reflection(Warp warp, std::size_t count, const Columns3& wo, const Shape& shape, const Columns2& u,
+                       const ReflectionSamples& out) noexcept {
+  active().kernels->one_shape.sample_reflection[static_cast<int>(warp)](count, wo, shape, u, out);
+}
+void sample_reflection(Warp warp, std::size_t count, const Columns3& wo, const Ellipsoid& ellipsoid, const Columns2& u,
+                       const ReflectionSamples& out) noexcept {
+  with_cheapest(ellipsoid, [&](const auto& kernels, const auto& shape) {
+    kernels.sample_reflection[static_cast<int>(warp)](count, wo, shape, u, out);
+  });
+}
+
+void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& wi, const Shape& shape,
+                         const Evaluations& out) noexcept {
+  active().kernels->one_shape.evaluate_reflection(count, wo, wi, shape, out);
+}
+void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& wi, const Ellipsoid& ellipsoid,
+                         const Evaluations& out) noexcept {
+  with_cheapest(ellipsoid, [&](const auto& kernels, const auto& shape) {
+    kernels.evaluate_reflection(count, wo, wi, shape, out);
+  });
+}
+
+void pdf_normals(std::size_t count, const Columns3& wo, const Columns3& wm, const Shape& shape, float* pdf) noexcept {
+  active().kernels->one_shape.pdf_normals(count, wo, wm, shape, pdf);
+}
+void pdf_normals(std::size_t count, const Columns3& wo, const Columns3& wm, const Ellipsoid& ellipsoid,
+                 float* pdf) noexcept {
+  with_cheapest(ellipsoid,
+                [&](const auto& kernels, const auto& shape) { kernels.pdf_normals(count, wo, wm, shape, pdf); });
+}
+
 Isas isas() noexcept {
   struct List {
     Isa rows[kCount];

@@ -1,9 +1,22 @@
 // The boundary between instruction sets: what kernels.cpp, compiled once for each, gives dispatch.cpp.
 #pragma once
 
-#include <vndf/vndf.h>
+#include <vndf/ellipsoid.h>
 
 namespace vndf {
+
+/// The functions of ellipsoid.h, for shapes of one kind.
+template <class S>
+struct ShapeKernels {
+  // [warp]
+  void (*sample_normals[3])(std::size_t count, const Columns3& wo, const S& shape, const Columns2& u,
+                            const Out3& wm) noexcept;
+  void (*sample_reflection[3])(std::size_t count, const Columns3& wo, const S& shape, const Columns2& u,
+                               const ReflectionSamples& out) noexcept;
+  void (*evaluate_reflection)(std::size_t count, const Columns3& wo, const Columns3& wi, const S& shape,
+                              const Evaluations& out) noexcept;
+  void (*pdf_normals)(std::size_t count, const Columns3& wo, const Columns3& wm, const S& shape, float* pdf) noexcept;
+};
 
 struct KernelTable {
   void (*sample_normals[3])(std::size_t count, const Columns3& wo, const Columns2& alpha, const Columns2& u,
@@ -23,6 +36,11 @@ struct KernelTable {
                                   const Columns3& u, const DielectricSamples& out) noexcept;
   void (*evaluate_dielectric[2])(std::size_t count, const Columns3& wo, const Columns3& wi, const Columns2& alpha,
                                  const Column& eta, const Evaluations& out) noexcept;
+
+  Shape (*shape_of)(const Ellipsoid& constants) noexcept;
+  ShapeKernels<Shape> one_shape;
+  ShapeKernels<Ellipsoid> turned;  // theta_x = theta_y = 0
+  ShapeKernels<Ellipsoid> tilted;
 };
 
 }  // namespace vndf

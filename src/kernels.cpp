@@ -12,15 +12,16 @@ using namespace vndf;
 using lanes::Vec2;
 using lanes::Vec3;
 
-// The columns of the sampling functions, in the order in which sample() passes them on.
-using SampleInputs = Inputs<7>;
+}  // namespace
+
+#include "shapes.h"
+
+namespace {
+
+// The columns of the sampling functions: wo, alpha, u, and what else there is.
 template <std::size_t N>
 VNDF_INLINE Vec3<F> load_wo(const Inputs<N>& in, std::size_t i) {
   return {in.template load<0>(i), in.template load<1>(i), in.template load<2>(i)};
-}
-template <std::size_t N>
-VNDF_INLINE Vec2<F> load_alpha(const Inputs<N>& in, std::size_t i) {
-  return {in.template load<3>(i), in.template load<4>(i)};
 }
 template <std::size_t N>
 VNDF_INLINE Vec2<F> load_u(const Inputs<N>& in, std::size_t i) {
@@ -42,59 +43,66 @@ VNDF_INLINE lanes::DiskPoint<F> map_disk(Vec2<F> u) {
   return map == DiskMap::polar ? lanes::polar_map(u) : lanes::concentric_map(u);
 }
 
-template <DiskMap map>
+template <DiskMap map, class Shapes = AlphaColumns<3>>
 struct NormalsOnDisk {
+  Shapes shapes;
   Staged<lanes::DiskPoint<F>> points;
   Staged<lanes::Chord<F>> chords;
   Staged<lanes::HemisphereView<F>> views;
   Staged<Vec3<F>> normals;
 
-  VNDF_INLINE void operator()(const SampleInputs& in, const Outputs<3>& wm, std::size_t begin, std::size_t end) {
+  template <std::size_t N>
+  VNDF_INLINE void operator()(const Inputs<N>& in, const Outputs<3>& wm, std::size_t begin, std::size_t end) {
     if (end - begin == kWidth) {
       auto t = chord(map_disk<map>(load_u(in, begin)));
-      store(sample_normal_on_chord(load_wo(in, begin), load_alpha(in, begin), t), wm, begin);
+      store(sample_normal_on_chord(load_wo(in, begin), shapes.at(in, begin), t), wm, begin);
       return;
     }
+    shapes.prepare(in, begin, end);
     for (std::size_t i = begin; i < end; i += kWidth) {
-      in.prefetch<0, 1>(i);
+      in.template prefetch<0, 1>(i);
       points.store(i, map_disk<map>(load_u(in, i)));
     }
     for (std::size_t i = begin; i < end; i += kWidth) {
-      in.prefetch<2>(i);
+      in.template prefetch<2>(i);
       chords.store(i, chord(points.load(i)));
     }
     for (std::size_t i = begin; i < end; i += kWidth) {
-      in.prefetch<3, 4>(i);
-      views.store(i, map_to_hemisphere(load_wo(in, i), load_alpha(in, i)));
+      in.template prefetch<3, 4>(i);
+      views.store(i, map_to_hemisphere(load_wo(in, i), shapes.load(in, i)));
     }
     for (std::size_t i = begin; i < end; i += kWidth) {
-      in.prefetch<5>(i);
+      in.template prefetch<5>(i);
       auto view = views.load(i);
       auto t = chords.load(i);
       normals.store(i, reproject(view, t, squish(view, t)));
     }
     for (std::size_t i = begin; i < end; i += kWidth) {
-      in.prefetch<6>(i);
-      store(map_from_hemisphere(normals.load(i), load_alpha(in, i)), wm, i);
+      in.template prefetch<6>(i);
+      store(map_from_hemisphere(normals.load(i), shapes.load(in, i)), wm, i);
     }
   }
 };
 
+template <class Shapes = AlphaColumns<3>>
 struct NormalsOnCap {
+  Shapes shapes;
   Staged<Vec3<F>> normals;
 
-  VNDF_INLINE void operator()(const SampleInputs& in, const Outputs<3>& wm, std::size_t begin, std::size_t end) {
+  template <std::size_t N>
+  VNDF_INLINE void operator()(const Inputs<N>& in, const Outputs<3>& wm, std::size_t begin, std::size_t end) {
     if (end - begin == kWidth) {
-      store(sample_normal_cap(load_wo(in, begin), load_alpha(in, begin), load_u(in, begin)), wm, begin);
+      store(sample_normal_cap(load_wo(in, begin), shapes.at(in, begin), load_u(in, begin)), wm, begin);
       return;
     }
+    shapes.prepare(in, begin, end);
     for (std::size_t i = begin; i < end; i += kWidth) {
-      in.prefetch<0, 1, 2, 5, 6>(i);
-      normals.store(i, sample_cap(load_wo(in, i), load_alpha(in, i), load_u(in, i)));
+      in.template prefetch<0, 1, 2, 5, 6>(i);
+      normals.store(i, sample_cap(load_wo(in, i), shapes.load(in, i), load_u(in, i)));
     }
     for (std::size_t i = begin; i < end; i += kWidth) {
-      in.prefetch<3, 4>(i);
-      store(map_from_hemisphere(normals.load(i), load_alpha(in, i)), wm, i);
+      in.template prefetch<3, 4>(i);
+      store(map_from_hemisphere(normals.load(i), shapes.load(in, i)), wm, i);
     }
   }
 };
@@ -124,12 +132,14 @@ void sample_disk(std::size_t count, const Columns2& u, const Out2& t) noexcept {
 
 #include "shading_kernels.h"
 
+#include "ellipsoid_kernels.h"
+
 namespace vndf {
 
 extern const KernelTable VNDF_TABLE;
 const KernelTable VNDF_TABLE = {
     {::sample_normals<NormalsOnDisk<DiskMap::polar>>, ::sample_normals<NormalsOnDisk<DiskMap::concentric>>,
-     ::sample_normals<NormalsOnCap>},
+     ::sample_normals<NormalsOnCap<>>},
     {::sample_disk<DiskMap::polar>, ::sample_disk<DiskMap::concentric>},
     {{VNDF_PER_WARP(sample_reflection, false, Masking::height_correlated),
       VNDF_PER_WARP(sample_reflection, false, Masking::separable)},
@@ -141,6 +151,10 @@ const KernelTable VNDF_TABLE = {
     {VNDF_PER_WARP(sample_dielectric, Masking::height_correlated),
      VNDF_PER_WARP(sample_dielectric, Masking::separable)},
     {::evaluate_dielectric<Masking::height_correlated>, ::evaluate_dielectric<Masking::separable>},
+    ::shape_of,
+    VNDF_SHAPE_KERNELS(OneShapes, Shape),
+    VNDF_SHAPE_KERNELS(AllTurned, Ellipsoid),
+    VNDF_SHAPE_KERNELS(AllTilted, Ellipsoid),
 };
 
 }  // namespace vndf

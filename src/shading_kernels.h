@@ -21,7 +21,7 @@ struct AsGiven {
     return load_wo(in, i);
   }
 };
-struct Turned {
+struct TurnedUp {
   template <std::size_t N>
   static VNDF_INLINE Vec3<F> view(const Inputs<N>& in, std::size_t i) {
     Vec3<F> wo = load_wo(in, i);
@@ -30,11 +30,11 @@ struct Turned {
 };
 
 /// Visible normals from the disk, as Heitz 2018 lays it on the hemisphere.
-template <Warp warp, class View>
+template <Warp warp, class View, class Shapes>
 class FacetsOnDisk {
  public:
   template <std::size_t N>
-  VNDF_INLINE void sample(const Inputs<N>& in, std::size_t begin, std::size_t end) {
+  VNDF_INLINE void sample(const Inputs<N>& in, const Shapes& shapes, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; i += kWidth) {
       in.template prefetch<0, 1>(i);
       points_.store(i, map_disk<kDiskMap<warp>>(load_u(in, i)));
@@ -46,7 +46,7 @@ class FacetsOnDisk {
     for (std::size_t i = begin; i < end; i += kWidth) {
       in.template prefetch<3, 4>(i);
       Stretched view;
-      view.hemisphere = map_to_hemisphere(View::view(in, i), load_alpha(in, i), view.length);
+      view.hemisphere = map_to_hemisphere(View::view(in, i), shapes.load(in, i), view.length);
       views_.store(i, view);
     }
     for (std::size_t i = begin; i < end; i += kWidth) {
@@ -56,10 +56,13 @@ class FacetsOnDisk {
     }
   }
   VNDF_INLINE Facet<F> load(std::size_t i, F wo_z) const {
-    return facet_of(facets_.load(i), wo_z, views_.load(i).length);
+    auto view = views_.load(i);
+    F area = kUpright ? view.length + wo_z : view.length * view.hemisphere.one_plus_z;
+    return facet_of(facets_.load(i), view.length, area);
   }
 
  private:
+  static constexpr bool kUpright = std::is_same_v<Shapes, AlphaColumns<3>>;
   struct Stretched {
     lanes::HemisphereView<F> hemisphere;
     F length;
@@ -71,34 +74,38 @@ class FacetsOnDisk {
 };
 
 /// Visible normals from a spherical cap, on which the warp lays the square, or the disk by Lambert's map.
-template <Warp warp, bool bounded, class View>
+template <Warp warp, bool bounded, class View, class Shapes>
 class FacetsOnCap {
  public:
   template <std::size_t N>
-  VNDF_INLINE void sample(const Inputs<N>& in, std::size_t begin, std::size_t end) {
+  VNDF_INLINE void sample(const Inputs<N>& in, const Shapes& shapes, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; i += kWidth) {
       in.template prefetch<0, 1, 2, 5, 6>(i);
-      facets_.store(i, facet(View::view(in, i), load_alpha(in, i), load_u(in, i)));
+      facets_.store(i, facet(View::view(in, i), shapes.load(in, i), load_u(in, i)));
     }
   }
   VNDF_INLINE Facet<F> load(std::size_t i, F) const { return facet_of(facets_.load(i)); }
 
  private:
-  static VNDF_INLINE lanes::CapFacet<F> facet(Vec3<F> wo, Vec2<F> alpha, Vec2<F> u) {
-    if constexpr (warp == Warp::spherical_cap) return facet(wo, alpha, u.y, F(1.f) - u.y, lanes::sincos2pi(u.x));
+  template <class S>
+  static VNDF_INLINE lanes::CapFacet<F> facet(Vec3<F> wo, const S& shape, Vec2<F> u) {
+    if constexpr (warp == Warp::spherical_cap) return facet(wo, shape, u.y, F(1.f) - u.y, lanes::sincos2pi(u.x));
     auto t = map_disk<kDiskMap<warp>>(u);
-    return facet(wo, alpha, t.r2, t.e, t.phi);
+    return facet(wo, shape, t.r2, t.e, t.phi);
   }
-  static VNDF_INLINE lanes::CapFacet<F> facet(Vec3<F> wo, Vec2<F> alpha, F r2, F e, const lanes::Angle<F>& phi) {
-    if constexpr (bounded) return sample_bounded_cap(wo, alpha, r2, e, phi);
-    return sample_visible_cap(wo, alpha, r2, e, phi);
+  template <class S>
+  static VNDF_INLINE lanes::CapFacet<F> facet(Vec3<F> wo, const S& shape, F r2, F e, const lanes::Angle<F>& phi) {
+    if constexpr (bounded)
+      return sample_bounded_cap(wo, shape, r2, e, phi);
+    else
+      return sample_visible_cap(wo, shape, r2, e, phi);
   }
   StagedForShading<lanes::CapFacet<F>> facets_;
 };
 
-template <Warp warp, bool bounded, class View>
-using Facets = std::conditional_t<bounded || warp == Warp::spherical_cap, FacetsOnCap<warp, bounded, View>,
-                                  FacetsOnDisk<warp, View>>;
+template <Warp warp, bool bounded, class View, class Shapes = AlphaColumns<3>>
+using Facets = std::conditional_t<bounded || warp == Warp::spherical_cap, FacetsOnCap<warp, bounded, View, Shapes>,
+                                  FacetsOnDisk<warp, View, Shapes>>;
 
 template <Masking masking>
 using MaskingOf = std::conditional_t<masking == Masking::height_correlated, lanes::HeightCorrelated, lanes::Separable>;
@@ -114,14 +121,18 @@ VNDF_INLINE void store_if_wanted(const Outputs<M>& out, std::size_t i, F value) 
 }
 
 /// No output is written before the last stage: it may lie over an input.
-template <Warp warp, bool bounded, Masking masking>
+template <Warp warp, bool bounded, class Masked, class Shapes = AlphaColumns<3>>
 class ReflectionKernel {
  public:
-  VNDF_INLINE void operator()(const SampleInputs& in, const Outputs<9>& out, std::size_t begin, std::size_t end) {
+  Shapes shapes;
+
+  template <std::size_t N>
+  VNDF_INLINE void operator()(const Inputs<N>& in, const Outputs<9>& out, std::size_t begin, std::size_t end) {
     bool with_normals = out.column[5] || out.column[6] || out.column[7] || out.column[8];
     for (std::size_t to; begin < end; begin = to) {
       to = end_of_half(begin, end);
-      facets_.sample(in, begin, to);
+      shapes.prepare(in, begin, to);
+      facets_.sample(in, shapes, begin, to);
       if (with_normals)
         shade<true>(in, out, begin, to);
       else
@@ -130,22 +141,22 @@ class ReflectionKernel {
   }
 
  private:
-  template <bool with_normals>
-  VNDF_INLINE void shade(const SampleInputs& in, const Outputs<9>& out, std::size_t begin, std::size_t end) {
+  template <bool with_normals, std::size_t N>
+  VNDF_INLINE void shade(const Inputs<N>& in, const Outputs<9>& out, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; i += kWidth) {
       Vec3<F> wo = load_wo(in, i);
-      Vec2<F> alpha = load_alpha(in, i);
+      auto shape = shapes.load(in, i);
       auto facet = facets_.load(i, wo.z);
-      auto normal = normal_of(facet, alpha);
-      directions_.store(i, {reflect(wo, facet, normal), spread(facet, normal, alpha)});
+      auto normal = normal_of(facet, shape);
+      directions_.store(i, {reflect(wo, facet, normal), spread(facet, normal, shape)});
       if constexpr (with_normals) normals_.store(i, unit_normal(facet, normal));
     }
     for (std::size_t i = begin; i < end; i += kWidth) {
-      F wo_z = in.load<2>(i);
+      F wo_z = in.template load<2>(i);
       auto facet = facets_.load(i, wo_z);
       auto direction = directions_.load(i);
-      auto sample = lanes::weigh_reflection<MaskingOf<masking>>(wo_z, load_alpha(in, i), facet.length, facet.area,
-                                                                direction.wi, direction.spread);
+      auto sample = lanes::weigh_reflection<Masked>(wo_z, shapes.load(in, i), facet.length, facet.area, direction.wi,
+                                                    direction.spread);
       if constexpr (with_normals) {
         auto normal = normals_.load(i);
         store_if_wanted<5>(out, i, normal.wm.x);
@@ -165,7 +176,7 @@ class ReflectionKernel {
     Vec3<F> wi;
     F spread;
   };
-  Facets<warp, bounded, AsGiven> facets_;
+  Facets<warp, bounded, AsGiven, Shapes> facets_;
   StagedForShading<Direction> directions_;
   StagedForShading<lanes::UnitNormal<F>> normals_;
 };
@@ -173,47 +184,61 @@ class ReflectionKernel {
 template <Warp warp, bool bounded, Masking masking>
 void sample_reflection(std::size_t count, const Columns3& wo, const Columns2& alpha, const Columns2& u,
                        const ReflectionSamples& out) noexcept {
-  ReflectionKernel<warp, bounded, masking> kernel;
+  ReflectionKernel<warp, bounded, MaskingOf<masking>> kernel;
   for_each_block<7, 9>(count, {&wo.x, &wo.y, &wo.z, &alpha.x, &alpha.y, &u.x, &u.y},
                        {out.wi.x, out.wi.y, out.wi.z, out.pdf, out.weight, out.wm.x, out.wm.y, out.wm.z, out.wo_dot_wm},
                        kernel);
 }
 
-template <bool bounded, Masking masking>
+/// The light or the normal, second of a pair.
+template <std::size_t N>
+VNDF_INLINE Vec3<F> load_second(const Inputs<N>& in, std::size_t i) {
+  return {in.template load<3>(i), in.template load<4>(i), in.template load<5>(i)};
+}
+
+template <bool bounded, class Masked, class Shapes = AlphaColumns<6>>
 struct ReflectionEvaluation {
-  VNDF_INLINE void operator()(const Inputs<8>& in, const Outputs<2>& out, std::size_t begin, std::size_t end) {
+  Shapes shapes;
+
+  template <std::size_t N>
+  VNDF_INLINE void operator()(const Inputs<N>& in, const Outputs<2>& out, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; i += kWidth) {
-      Vec3<F> wo = {in.load<0>(i), in.load<1>(i), in.load<2>(i)};
-      Vec3<F> wi = {in.load<3>(i), in.load<4>(i), in.load<5>(i)};
-      Vec2<F> alpha = {in.load<6>(i), in.load<7>(i)};
-      auto value = bounded ? lanes::evaluate_reflection_bounded<MaskingOf<masking>>(wo, wi, alpha)
-                           : lanes::evaluate_reflection<MaskingOf<masking>>(wo, wi, alpha);
+      auto value = evaluate(load_wo(in, i), load_second(in, i), shapes.at(in, i));
       out.store<0>(i, value.f_cos);
       out.store<1>(i, value.pdf);
     }
+  }
+  template <class S>
+  static VNDF_INLINE lanes::Evaluation<F> evaluate(const Vec3<F>& wo, const Vec3<F>& wi, const S& shape) {
+    if constexpr (bounded)
+      return lanes::evaluate_reflection_bounded<Masked>(wo, wi, shape);
+    else
+      return lanes::evaluate_reflection<Masked>(wo, wi, shape);
   }
 };
 
 template <bool bounded, Masking masking>
 void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& wi, const Columns2& alpha,
                          const Evaluations& out) noexcept {
-  ReflectionEvaluation<bounded, masking> kernel;
+  ReflectionEvaluation<bounded, MaskingOf<masking>> kernel;
   for_each_block<8, 2>(count, {&wo.x, &wo.y, &wo.z, &wi.x, &wi.y, &wi.z, &alpha.x, &alpha.y}, {out.f_cos, out.pdf},
                        kernel);
 }
 
+template <class Shapes = AlphaColumns<6>>
 struct NormalDensity {
-  VNDF_INLINE void operator()(const Inputs<8>& in, const Outputs<1>& pdf, std::size_t begin, std::size_t end) {
+  Shapes shapes;
+
+  template <std::size_t N>
+  VNDF_INLINE void operator()(const Inputs<N>& in, const Outputs<1>& pdf, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; i += kWidth)
-      pdf.store<0>(i, lanes::visible_normal_pdf<F>({in.load<0>(i), in.load<1>(i), in.load<2>(i)},
-                                                   {in.load<3>(i), in.load<4>(i), in.load<5>(i)},
-                                                   {in.load<6>(i), in.load<7>(i)}));
+      pdf.store<0>(i, lanes::visible_normal_pdf(load_wo(in, i), load_second(in, i), shapes.at(in, i)));
   }
 };
 
 void pdf_normals(std::size_t count, const Columns3& wo, const Columns3& wm, const Columns2& alpha,
                  float* pdf) noexcept {
-  NormalDensity kernel;
+  NormalDensity<> kernel;
   for_each_block<8, 1>(count, {&wo.x, &wo.y, &wo.z, &wm.x, &wm.y, &wm.z, &alpha.x, &alpha.y}, {pdf}, kernel);
 }
 
@@ -223,14 +248,15 @@ class DielectricKernel {
   VNDF_INLINE void operator()(const Inputs<9>& in, const Outputs<6>& out, std::size_t begin, std::size_t end) {
     for (std::size_t to; begin < end; begin = to) {
       to = end_of_half(begin, end);
-      facets_.sample(in, begin, to);
+      facets_.sample(in, AlphaColumns<3>(), begin, to);
       for (std::size_t i = begin; i < to; i += kWidth) {
         in.prefetch<3, 4, 7, 8>(i);
         Vec3<F> wo = load_wo(in, i);
         auto below = wo.z < F(0.f);
         wo = lanes::turned(below, wo);
-        auto sample = lanes::sample_dielectric<MaskingOf<masking>>(
-            wo, load_alpha(in, i), facets_.load(i, wo.z), lanes::turned_eta(below, in.load<7>(i)), in.load<8>(i));
+        auto sample =
+            lanes::sample_dielectric<MaskingOf<masking>>(wo, AlphaColumns<3>::at(in, i), facets_.load(i, wo.z),
+                                                         lanes::turned_eta(below, in.load<7>(i)), in.load<8>(i));
         Vec3<F> wi = lanes::turned(below, sample.wi);
         out.store<0>(i, wi.x);
         out.store<1>(i, wi.y);
@@ -243,7 +269,7 @@ class DielectricKernel {
   }
 
  private:
-  Facets<warp, false, Turned> facets_;
+  Facets<warp, false, TurnedUp> facets_;
 };
 
 template <Warp warp, Masking masking>

@@ -4,4 +4,5 @@
 #pragma once
 
 #include <vndf/lanes/dielectric.h>
+#include <vndf/lanes/ellipsoid.h>
 #include <vndf/lanes/normals.h>

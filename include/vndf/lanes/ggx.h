@@ -13,41 +13,33 @@ inline namespace VNDF_LANES_BUILD {
 constexpr float kInvPi = 0x1.45f306p-2f;
 constexpr float kInv2Pi = 0x1.45f306p-3f;
 
-template <class F>
-VNDF_INLINE F dot(const Vec3<F>& a, const Vec3<F>& b) {
-  return (a.x * b.x + a.y * b.y) + a.z * b.z;
-}
-
 /// |A v|.
-template <class F>
-VNDF_INLINE F stretched_length(const Vec3<F>& v, const Vec2<F>& alpha) {
-  F x = alpha.x * v.x;
-  F y = alpha.y * v.y;
-  return op::sqrt((x * x + y * y) + v.z * v.z);
+template <class F, class Shape>
+VNDF_INLINE F stretched_length(const Vec3<F>& v, const Shape& shape) {
+  Vec3<F> h = stretch(v, shape);
+  return op::sqrt(dot(h, h));
 }
 
-/// The roughness that densities are evaluated with: at least 2^-60, which keeps a mirror's finite.
+/// |A v| + (A v).z, in proportion to the projected area of the normals that v sees (Walter et al. 2015, eq. 28), for
+/// any v. Below the horizon it is |((A v).x, (A v).y)|^2 / (|A v| - (A v).z).
 template <class F>
-VNDF_INLINE F evaluated_alpha(F alpha) {
-  constexpr float kMirror = 0x1p-60f;
-  F abs = op::abs(alpha);
-  return op::select(abs < F(kMirror), F(kMirror), abs);
+VNDF_INLINE F lune_area(const Vec3<F>& h) {
+  F l2 = h.x * h.x + h.y * h.y;
+  F sum = op::sqrt(l2 + h.z * h.z) + op::abs(h.z);
+  return op::select(h.z < F(0.f), l2 / sum, sum);
 }
 
-/// D(m), Heitz 2018, eq. 1, for m of any length from 2^-40 to 8.
+/// D(m), Heitz 2018, eq. 1, Walter et al. 2015, eq. 1, for m of any length from 2^-40 to 8.
 ///
-/// D = (alpha_x / alpha_y) (alpha_x |m|^2 / k^2)^2 / pi with k = (m.x, m.y alpha_x / alpha_y, alpha_x m.z): sums of
-/// positive terms that stay within the range of float, which alpha^2 does not.
-template <class F>
-VNDF_INLINE F ndf(const Vec3<F>& m, const Vec2<F>& alpha) {
+/// With |A| = a b, D = (a / b) (a |m|^2 / k^2)^2 / pi with k = a A^-T m: that stays within the range of float, which
+/// alpha^2 does not. For plain GGX a is alpha_x, b is alpha_y, and k^2 is a sum of positive terms.
+template <class F, class Shape>
+VNDF_INLINE F ndf(const Vec3<F>& m, const Shape& shape) {
   constexpr float kUnit = 0x1p40f;
-  F alpha_x = evaluated_alpha(alpha.x);
-  F ratio = alpha_x / evaluated_alpha(alpha.y);
   Vec3<F> v = {m.x * F(kUnit), m.y * F(kUnit), m.z * F(kUnit)};
-  F ky = v.y * ratio;
-  F kz = v.z * alpha_x;
-  F q = (dot(v, v) * alpha_x) / ((v.x * v.x + ky * ky) + kz * kz);
-  return (ratio * F(kInvPi)) * (q * q);
+  auto k = unstretch(v, shape);
+  F q = (dot(v, v) * k.a) / dot(k.v, k.v);
+  return (k.a_over_b * F(kInvPi)) * (q * q);
 }
 
 /// Lambda(v), eq. 2, for v.z > 0: (a - v.z) / (2 v.z) with the difference taken apart.
@@ -80,17 +72,12 @@ VNDF_INLINE F smith_g2_separable(const Vec3<F>& v, const Vec3<F>& l, const Vec2<
   return smith_g1(v, alpha) * smith_g1(l, alpha);
 }
 
-/// The density of visible normals, eq. 3, for any view, m of the upper hemisphere: 2 D(m) max(0, v.m) / (a + v.z), and
-/// a + v.z = |(alpha_x v.x, alpha_y v.y)|^2 / (a - v.z) below the horizon.
-template <class F>
-VNDF_INLINE F visible_normal_pdf(const Vec3<F>& v, const Vec3<F>& m, const Vec2<F>& alpha) {
-  F x = alpha.x * v.x;
-  F y = alpha.y * v.y;
-  F l2 = x * x + y * y;
-  F sum = op::sqrt(l2 + v.z * v.z) + op::abs(v.z);
-  sum = op::select(v.z < F(0.f), l2 / sum, sum);
+/// The density of visible normals, eq. 3 (Walter et al. 2015, eq. 33), for any view, m of the upper hemisphere:
+/// 2 D(m) max(0, v.m) / (|A v| + (A v).z).
+template <class F, class Shape>
+VNDF_INLINE F visible_normal_pdf(const Vec3<F>& v, const Vec3<F>& m, const Shape& shape) {
   F cos = dot(v, m);
-  F pdf = ((cos + cos) / sum) * ndf(m, alpha);
+  F pdf = ((cos + cos) / lune_area(stretch(v, shape))) * ndf(m, shape);
   return op::select(cos > F(0.f), op::select(m.z < F(0.f), F(0.f), pdf), F(0.f));
 }
 

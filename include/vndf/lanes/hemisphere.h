@@ -2,15 +2,10 @@
 // the reprojection (sections 4.2 and 4.3), the way back (section 3.4).
 #pragma once
 
-#include <vndf/lanes/disk.h>
+#include <vndf/lanes/shape.h>
 
 namespace vndf::lanes {
 inline namespace VNDF_LANES_BUILD {
-
-template <class F>
-struct Vec3 {
-  F x, y, z;
-};
 
 /// The view in the hemisphere configuration, Vh = A V / |A V|, with its azimuth and its elevation apart.
 template <class F>
@@ -29,43 +24,42 @@ struct HemisphereView {
 /// would square to nothing, keep them. A tangent under 2^-32 is taken as 2^-32 and changes no normal by more than
 /// 2^-32; azimuth components under 2^-100 are taken as the x axis. 1 - |z| = r2 / (len (len + |z| len)), no difference
 /// taken. `norm` is |A V|, which the densities need.
-template <class F>
-VNDF_INLINE HemisphereView<F> map_to_hemisphere(Vec3<F> wo, Vec2<F> alpha, F& norm) {
+template <class F, class Shape>
+VNDF_INLINE HemisphereView<F> map_to_hemisphere(Vec3<F> wo, const Shape& shape, F& norm) {
   constexpr float kSmallest = 0x1p-100f, kLongest = 0x1p52f;
-  F hx = alpha.x * wo.x;
-  F hy = alpha.y * wo.y;
-  Int<F> larger = op::max(op::bits(op::abs(hx)), op::bits(op::abs(hy)));
+  Vec3<F> h = stretch(wo, shape);
+  Int<F> larger = op::max(op::bits(op::abs(h.x)), op::bits(op::abs(h.y)));
   Int<F> exponent = op::max(larger, Int<F>(0x0d800000)) & Int<F>(0x7f800000);  // at least kSmallest
   F scale = op::from_bits(Int<F>(std::int32_t(0x89000000u)) - exponent);       // 2^20 / 2^exponent
-  F x = op::select(op::from_bits(larger) < F(kSmallest), F(kSmallest), hx) * scale;
-  F y = hy * scale;
-  F abs_z = op::abs(wo.z * scale);
+  F x = op::select(op::from_bits(larger) < F(kSmallest), F(kSmallest), h.x) * scale;
+  F y = h.y * scale;
+  F abs_z = op::abs(h.z * scale);
   auto steep = abs_z > F(kLongest);
   abs_z = op::select(steep, F(kLongest), abs_z);
 
   F r2 = x * x + y * y;
   F length = op::sqrt(r2 + abs_z * abs_z);
-  norm = op::select(steep, op::abs(wo.z), length * op::from_bits(exponent - Int<F>(20 << 23)));  // length / scale
+  norm = op::select(steep, op::abs(h.z), length * op::from_bits(exponent - Int<F>(20 << 23)));  // length / scale
   F sum = length + abs_z;
   F inv = F(1.f) / (length * sum);
   F inv_length = sum * inv;
   F cos = abs_z * inv_length;
   F large = F(1.f) + cos;
   F small = r2 * inv;
-  auto below = wo.z < F(0.f);
+  auto below = h.z < F(0.f);
   return {x,
           y,
           r2,
           inv_length,
-          op::with_sign_of(cos, wo.z),
+          op::with_sign_of(cos, h.z),
           op::select(below, small, large),
           op::select(below, large, small)};
 }
 
-template <class F>
-VNDF_INLINE HemisphereView<F> map_to_hemisphere(Vec3<F> wo, Vec2<F> alpha) {
+template <class F, class Shape>
+VNDF_INLINE HemisphereView<F> map_to_hemisphere(Vec3<F> wo, const Shape& shape) {
   F norm;
-  return map_to_hemisphere(wo, alpha, norm);
+  return map_to_hemisphere(wo, shape, norm);
 }
 
 /// What the squish leaves of the chord, with z the view's: lift = (1 + z) top, and the height of the normal above the
@@ -112,16 +106,14 @@ VNDF_INLINE Vec3<F> reproject(const HemisphereView<F>& view, const Chord<F>& t, 
   return reproject(view, t, p, cos);
 }
 
-/// Section 3.4, eq. 6: Ne = A Nh / |A Nh|, for Nh of any length up to 2^60.
+/// Section 3.4, eq. 6: Ne = A^T Nh / |A^T Nh|, for Nh of any length up to 2^60.
 ///
 /// The addend is far below the rounding of any Nh that has a direction; one that has none becomes +z.
-template <class F>
-VNDF_INLINE Vec3<F> map_from_hemisphere(Vec3<F> nh, Vec2<F> alpha) {
-  F x = alpha.x * nh.x;
-  F y = alpha.y * nh.y;
-  F z = nh.z + F(0x1p-62f);
-  F inv = F(1.f) / op::sqrt((x * x + y * y) + z * z);
-  return {x * inv, y * inv, z * inv};
+template <class F, class Shape>
+VNDF_INLINE Vec3<F> map_from_hemisphere(Vec3<F> nh, const Shape& shape) {
+  Vec3<F> p = stretch_back<F>({nh.x, nh.y, nh.z + F(0x1p-62f)}, shape);
+  F inv = F(1.f) / op::sqrt(dot(p, p));
+  return {p.x * inv, p.y * inv, p.z * inv};
 }
 
 }  // namespace VNDF_LANES_BUILD

@@ -8,6 +8,7 @@
 
 #include <vndf/lanes/ggx.h>
 #include <vndf/lanes/spherical_cap.h>
+#include <type_traits>
 
 namespace vndf::lanes {
 inline namespace VNDF_LANES_BUILD {
@@ -18,7 +19,7 @@ template <class F>
 struct Facet {
   Vec3<F> nh;
   F norm2;      // c^2
-  F twice_cos;  // 2 A wo.nh = 2 c |A Nh| wo.wm
+  F twice_cos;  // 2 A wo.nh = 2 c |A^T Nh| wo.wm
   F length;     // |A wo|
   F area;       // |A wo| + k wo.z, twice the projected area of the normals that are sampled; k = 1 if not bounded
 };
@@ -44,8 +45,8 @@ VNDF_INLINE ChordFacet<F> sample_on_chord(const HemisphereView<F>& view, F lengt
   return {nh, (cos + cos) * length};
 }
 template <class F>
-VNDF_INLINE Facet<F> facet_of(const ChordFacet<F>& facet, F wo_z, F length) {
-  return {facet.nh, dot(facet.nh, facet.nh), facet.twice_cos, length, length + wo_z};
+VNDF_INLINE Facet<F> facet_of(const ChordFacet<F>& facet, F length, F area) {
+  return {facet.nh, dot(facet.nh, facet.nh), facet.twice_cos, length, area};
 }
 
 /// A normal from the cap. It is the sum of two vectors as long as A wo, one of which is A wo: 2 A wo.nh = |nh|^2.
@@ -57,17 +58,22 @@ struct CapFacet {
 };
 
 /// `r2`, e and phi are the disk point, see on_cap.
-template <class F>
-VNDF_INLINE CapFacet<F> sample_visible_cap(Vec3<F> wo, Vec2<F> alpha, F r2, F e, const Angle<F>& phi) {
-  auto view = map_to_cap(wo, alpha, F(1.f));
-  auto cap = visible_cap(view);
+template <class F, class Shape>
+VNDF_INLINE CapFacet<F> sample_visible_cap(Vec3<F> wo, const Shape& shape, F r2, F e, const Angle<F>& phi) {
+  Vec3<F> h = stretch(wo, shape);
+  auto view = map_to_cap(h, F(1.f));
+  Cap<F> cap;
+  if constexpr (kUpright<Shape>)
+    cap = visible_cap(view);
+  else
+    cap = visible_cap(view, h.z);
   return {with_direction(on_cap(view, cap, r2, e, phi)), view.length, cap.height};
 }
 
 /// Eto and Tokuyoshi 2023: the part of the cap whose reflections can be above the horizon.
 template <class F>
 VNDF_INLINE CapFacet<F> sample_bounded_cap(Vec3<F> wo, Vec2<F> alpha, F r2, F e, const Angle<F>& phi) {
-  auto view = map_to_cap(wo, alpha, F(1.f));
+  auto view = map_to_cap(stretch(wo, alpha), F(1.f));
   auto bound = reflection_bound(wo, alpha);
   auto cap = bounded_cap(view, bound);
   Vec3<F> nh = on_cap(view, cap, r2, e, phi);
@@ -80,16 +86,16 @@ VNDF_INLINE Facet<F> facet_of(const CapFacet<F>& facet) {
   return {facet.nh, norm2, norm2, facet.length, facet.area};
 }
 
-/// The normal in the ellipsoid configuration, not normalised: p = c A Nh = c |A Nh| wm.
+/// The normal in the ellipsoid configuration, not normalised: p = c A^T Nh = c |A^T Nh| wm.
 template <class F>
 struct Normal {
   Vec3<F> p;
   F p2, inv_p2;  // |p|^2
 };
 
-template <class F>
-VNDF_INLINE Normal<F> normal_of(const Facet<F>& facet, const Vec2<F>& alpha) {
-  Vec3<F> p = {alpha.x * facet.nh.x, alpha.y * facet.nh.y, facet.nh.z};
+template <class F, class Shape>
+VNDF_INLINE Normal<F> normal_of(const Facet<F>& facet, const Shape& shape) {
+  Vec3<F> p = stretch_back(facet.nh, shape);
   F p2 = dot(p, p);
   return {p, p2, F(1.f) / p2};
 }
@@ -114,12 +120,13 @@ VNDF_INLINE Vec3<F> reflect(const Vec3<F>& wo, const Facet<F>& facet, const Norm
   return {t * normal.p.x - wo.x, t * normal.p.y - wo.y, t * normal.p.z - wo.z};
 }
 
-/// The density of the reflected direction, eq. 17, is D(wm) / (2 area) with D = |A Nh|^4 / (pi alpha_x alpha_y). This
-/// is 1 / (2 pi density); for the sake of the range each alpha is taken together with one |A Nh|^2.
-template <class F>
-VNDF_INLINE F spread(const Facet<F>& facet, const Normal<F>& normal, const Vec2<F>& alpha) {
+/// The density of the reflected direction, eq. 17, is D(wm) / (2 area) with D = |A^T Nh|^4 / (pi |A|). This is
+/// 1 / (2 pi density); for the sake of the range each factor of |A| is taken together with one |A^T Nh|^2.
+template <class F, class Shape>
+VNDF_INLINE F spread(const Facet<F>& facet, const Normal<F>& normal, const Shape& shape) {
+  Vec2<F> determinant = factors_of_determinant(shape);
   F g = facet.norm2 * normal.inv_p2;
-  return (op::abs(alpha.x * g) * op::abs(alpha.y * g)) * facet.area;
+  return (op::abs(determinant.x * g) * op::abs(determinant.y * g)) * facet.area;
 }
 
 /// A weight without the excess over 1 that only rounding can give it.
@@ -130,18 +137,27 @@ VNDF_INLINE F at_most_one(F weight) {
 
 /// The weight G2(wo, wi) / G1(wo) and, if the sampling is bounded, times the share of the visible area that it leaves.
 /// length_o = |A wo|, length_i = |A wi|.
-struct HeightCorrelated {
+struct ByLengths {};
+struct HeightCorrelated : ByLengths {
   template <class F>
   static VNDF_INLINE F weight(F wo_z, F length_o, F area, F wi_z, F length_i) {
     return at_most_one((wi_z * area) / (wi_z * length_o + length_i * wo_z));
   }
 };
-struct Separable {
+struct Separable : ByLengths {
   template <class F>
   static VNDF_INLINE F weight(F wo_z, F length_o, F area, F wi_z, F length_i) {
     return at_most_one(((wi_z + wi_z) * area) / ((wi_z + length_i) * (wo_z + length_o)));
   }
 };
+
+template <class Masking, class F, class Shape>
+VNDF_INLINE F reflection_weight(F wo_z, F length, F area, const Vec3<F>& wi, const Shape& shape) {
+  if constexpr (std::is_base_of_v<ByLengths, Masking>)
+    return Masking::weight(wo_z, length, area, wi.z, stretched_length(wi, shape));
+  else
+    return Masking::weight(wo_z, area, wi.z, stretch(wi, shape));
+}
 
 /// The value where light can go from wi to wo above the surface: wo.z >= 0 and wi.z > 0. Else 0.
 template <class F>
@@ -157,19 +173,19 @@ struct ReflectionSample {
 };
 
 /// From a reflected direction, the lengths of its facet and its spread.
-template <class Masking, class F>
-VNDF_INLINE ReflectionSample<F> weigh_reflection(F wo_z, const Vec2<F>& alpha, F length, F area, const Vec3<F>& wi,
+template <class Masking, class F, class Shape>
+VNDF_INLINE ReflectionSample<F> weigh_reflection(F wo_z, const Shape& shape, F length, F area, const Vec3<F>& wi,
                                                  F spread) {
-  F weight = Masking::weight(wo_z, length, area, wi.z, stretched_length(wi, alpha));
+  F weight = reflection_weight<Masking>(wo_z, length, area, wi, shape);
   return {wi, where_above(wo_z, wi.z, F(kInv2Pi) / spread), where_above(wo_z, wi.z, weight)};
 }
 
 /// From a facet: reflect, density, weight.
-template <class Masking, class F>
-VNDF_INLINE ReflectionSample<F> sample_reflection(const Vec3<F>& wo, const Vec2<F>& alpha, const Facet<F>& facet) {
-  auto normal = normal_of(facet, alpha);
-  return weigh_reflection<Masking>(wo.z, alpha, facet.length, facet.area, reflect(wo, facet, normal),
-                                   spread(facet, normal, alpha));
+template <class Masking, class F, class Shape>
+VNDF_INLINE ReflectionSample<F> sample_reflection(const Vec3<F>& wo, const Shape& shape, const Facet<F>& facet) {
+  auto normal = normal_of(facet, shape);
+  return weigh_reflection<Masking>(wo.z, shape, facet.length, facet.area, reflect(wo, facet, normal),
+                                   spread(facet, normal, shape));
 }
 
 /// f cos without Fresnel's factor, and the density that sampling has for the pair.
@@ -180,18 +196,23 @@ struct Evaluation {
 
 /// D(h) / (2 area), and f cos = pdf weight. h = wo + wi is taken as it is: one rounding for each component, none for
 /// its length.
-template <class Masking, class F>
-VNDF_INLINE Evaluation<F> evaluate_reflection(const Vec3<F>& wo, const Vec3<F>& wi, const Vec2<F>& alpha, F length,
+template <class Masking, class F, class Shape>
+VNDF_INLINE Evaluation<F> evaluate_reflection(const Vec3<F>& wo, const Vec3<F>& wi, const Shape& shape, F length,
                                               F area) {
-  F pdf = ndf<F>({wo.x + wi.x, wo.y + wi.y, wo.z + wi.z}, alpha) / (area + area);
-  F weight = Masking::weight(wo.z, length, area, wi.z, stretched_length(wi, alpha));
+  F pdf = ndf<F>({wo.x + wi.x, wo.y + wi.y, wo.z + wi.z}, shape) / (area + area);
+  F weight = reflection_weight<Masking>(wo.z, length, area, wi, shape);
   return {where_above(wo.z, wi.z, pdf * weight), where_above(wo.z, wi.z, pdf)};
 }
 
-template <class Masking, class F>
-VNDF_INLINE Evaluation<F> evaluate_reflection(const Vec3<F>& wo, const Vec3<F>& wi, const Vec2<F>& alpha) {
-  F length = stretched_length(wo, alpha);
-  return evaluate_reflection<Masking>(wo, wi, alpha, length, length + wo.z);
+template <class Masking, class F, class Shape>
+VNDF_INLINE Evaluation<F> evaluate_reflection(const Vec3<F>& wo, const Vec3<F>& wi, const Shape& shape) {
+  if constexpr (kUpright<Shape>) {
+    F length = stretched_length(wo, shape);
+    return evaluate_reflection<Masking>(wo, wi, shape, length, length + wo.z);
+  } else {
+    // Lunes are masked by their areas alone.
+    return evaluate_reflection<Masking>(wo, wi, shape, F(0.f), lune_area(stretch(wo, shape)));
+  }
 }
 
 /// The pair of bounded sampling.

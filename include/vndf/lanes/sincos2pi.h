@@ -12,15 +12,13 @@ struct Angle {
   F cos, sin;
 };
 
-/// (cos, sin)(2 pi u) for u in [0, 1].
+/// (-cos, sin)(2 pi a) for a in [0, 1/2], the sine with its sign bit clear.
 ///
-/// With a = |1/2 - u|, m = a (1/2 - a) vanishes exactly where the sine does and a - 1/4 where the cosine does, and
-/// (a - 1/4)^2 = 1/16 - m: each is its zero times a polynomial in m whose coefficients are all positive. That keeps the
-/// relative accuracy everywhere, without quadrants. 1/2 - u is exact for every multiple of 2^-25.
+/// m = a (1/2 - a) vanishes exactly where the sine does and a - 1/4 where the cosine does, and (a - 1/4)^2 = 1/16 - m:
+/// each is its zero times a polynomial in m whose coefficients are all positive. That keeps the relative accuracy
+/// everywhere, without quadrants.
 template <class F>
-VNDF_INLINE Angle<F> sincos2pi(F u) {
-  F h = F(0.5f) - u;
-  F a = op::abs(h);
+VNDF_INLINE Angle<F> minus_cos_and_sin(F a) {
   F m = a * (F(0.5f) - a);
   F m2 = m * m;
   // Minimax in relative error with the coefficients rounded to float one after the other: 6.1e-9 and 1.2e-9. 4 pi is
@@ -30,7 +28,29 @@ VNDF_INLINE Angle<F> sincos2pi(F u) {
           m2 * ((F(0x1.10b308p+6f) + m * F(0x1.0a9dd8p+6f)) + m2 * F(0x1.3d489ep+5f));
   F sin = F(12.5f) + ((F(0x1.0fdaa6p-4f) + m * F(0x1.921fb0p+5f)) +
                       m2 * ((F(0x1.1d90fcp+6f) + m * F(0x1.a2fc90p+5f)) + m2 * F(0x1.8bd6d8p+4f)));
-  return {(a - F(0.25f)) * cos, op::with_sign_of(m * sin, h)};
+  return {(a - F(0.25f)) * cos, m * sin};
+}
+
+/// (cos, sin)(2 pi u) for u in [0, 1]: a half turn on, with a = |1/2 - u|, which is exact for every multiple of 2^-25.
+template <class F>
+VNDF_INLINE Angle<F> sincos2pi(F u) {
+  F h = F(0.5f) - u;
+  auto turned = minus_cos_and_sin(op::abs(h));
+  return {turned.cos, op::with_sign_of(turned.sin, h)};
+}
+
+/// (cos, sin)(theta), theta in radians.
+///
+/// theta / 2 pi in two parts, less its whole turns: adding and subtracting 1.5 x 2^23 rounds to integers. The sine
+/// keeps its relative accuracy near 0, and (cos, sin)(0) is (1, 0).
+template <class F>
+VNDF_INLINE Angle<F> angle_of(F theta) {
+  constexpr float kTurn = 0x1.45f306p-3f, kTurnRest = 0x1.b9391p-28f, kRounder = 0x1.8p23f;
+  F turns = theta * F(kTurn);
+  F whole = (turns + F(kRounder)) - F(kRounder);
+  F part = (turns - whole) + theta * F(kTurnRest);
+  auto turned = minus_cos_and_sin(op::abs(part));
+  return {F(0.f) - turned.cos, op::from_bits(op::bits(turned.sin) ^ (op::bits(part) & Int<F>(INT32_MIN)))};
 }
 
 }  // namespace VNDF_LANES_BUILD

@@ -16,12 +16,12 @@ struct CapView {
   F sum;          // |A V| + |V.z|
 };
 
-/// A V times `scale`, a power of two or 1.
+/// h = A V, times `scale`, a power of two or 1.
 template <class F>
-VNDF_INLINE CapView<F> map_to_cap(Vec3<F> wo, Vec2<F> alpha, F scale) {
-  F x = (alpha.x * wo.x) * scale;
-  F y = (alpha.y * wo.y) * scale;
-  F abs_z = op::abs(wo.z * scale);
+VNDF_INLINE CapView<F> map_to_cap(const Vec3<F>& h, F scale) {
+  F x = h.x * scale;
+  F y = h.y * scale;
+  F abs_z = op::abs(h.z * scale);
   F r2 = x * x + y * y;
   F length = op::sqrt(r2 + abs_z * abs_z);
   return {x, y, abs_z, r2, length, length + abs_z};
@@ -29,10 +29,8 @@ VNDF_INLINE CapView<F> map_to_cap(Vec3<F> wo, Vec2<F> alpha, F scale) {
 
 /// The power of two that takes the largest component of A V to [1, 2).
 template <class F>
-VNDF_INLINE F cap_scale(Vec3<F> wo, Vec2<F> alpha) {
-  Int<F> x = op::bits(op::abs(alpha.x * wo.x));
-  Int<F> y = op::bits(op::abs(alpha.y * wo.y));
-  Int<F> larger = op::max(op::max(x, y), op::bits(op::abs(wo.z)));
+VNDF_INLINE F cap_scale(const Vec3<F>& h) {
+  Int<F> larger = op::max(op::max(op::bits(op::abs(h.x)), op::bits(op::abs(h.y))), op::bits(op::abs(h.z)));
   return op::from_bits(Int<F>(0x7f000000) - (op::max(larger, Int<F>(0x00800000)) & Int<F>(0x7f800000)));
 }
 
@@ -43,10 +41,15 @@ struct Cap {
   F radius2;  // 1 - (k Vh.z)^2
 };
 
-/// k = 1: the directions that all visible normals reflect the view to (Dupuy and Benyoub 2023).
+/// k = 1: the directions that all visible normals reflect the view to (Dupuy and Benyoub 2023). For h.z >= 0.
 template <class F>
 VNDF_INLINE Cap<F> visible_cap(const CapView<F>& view) {
   return {view.sum, view.r2};
+}
+/// For any h.z: below the horizon 1 + Vh.z is the small one.
+template <class F>
+VNDF_INLINE Cap<F> visible_cap(const CapView<F>& view, F h_z) {
+  return {op::select(h_z < F(0.f), view.r2 / view.sum, view.sum), view.r2};
 }
 
 /// The bound of Eto and Tokuyoshi 2023, eq. 5, with alpha the smaller of the two and at most 1 (their eq. 6; Tokuyoshi
@@ -89,13 +92,11 @@ VNDF_INLINE Vec3<F> on_cap(const CapView<F>& view, const Cap<F>& cap, F r2, F e,
 }
 
 /// Dupuy and Benyoub 2023, Listing 3, from u1 for the azimuth and u2 for the height of c.
-template <class F>
-VNDF_INLINE Vec3<F> sample_cap(Vec3<F> wo, Vec2<F> alpha, Vec2<F> u) {
-  auto view = map_to_cap(wo, alpha, cap_scale(wo, alpha));
-  Cap<F> cap = visible_cap(view);
-  cap.height =
-      op::select(wo.z < F(0.f), view.r2 / view.sum, cap.height);  // below the horizon 1 + Vh.z is the small one
-  return on_cap(view, cap, u.y, F(1.f) - u.y, sincos2pi(u.x));
+template <class F, class Shape>
+VNDF_INLINE Vec3<F> sample_cap(Vec3<F> wo, const Shape& shape, Vec2<F> u) {
+  Vec3<F> h = stretch(wo, shape);
+  auto view = map_to_cap(h, cap_scale(h));
+  return on_cap(view, visible_cap(view, h.z), u.y, F(1.f) - u.y, sincos2pi(u.x));
 }
 
 }  // namespace VNDF_LANES_BUILD

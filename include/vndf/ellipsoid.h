@@ -1,0 +1,93 @@
+// The ellipsoid NDF: GGX that is turned about the normal and leans (Walter, Dong, Marschner, Greenberg, The Ellipsoid
+// Normal Distribution Function, supplement to Predicting Surface Appearance from Measured Microgeometry of Metal
+// Surfaces, 2014, revised 2016). The functions of vndf.h with a shape in place of alpha; conventions and guarantees are
+// those stated there.
+#pragma once
+
+#include <vndf/vndf.h>
+
+namespace vndf {
+
+/// A = S R, eq. 2-3: S = diag(alpha_x, alpha_y, 1), R = Rx(theta_x) Ry(theta_y) Rz(theta_z), angles in radians. Columns
+/// or constants; which of them are constants changes the speed and no bit.
+///  - all five constants: costs about as much as plain GGX.
+///  - theta_x and theta_y the constant 0: axes of anisotropy that a texture turns, cheap too.
+///  - else the matrix is worked out for each lane.
+///
+/// alpha    from 1e-6 to 100.
+/// theta_z  turns the axes of alpha about n: alpha_x is the roughness along (cos theta_z, -sin theta_z, 0).
+/// theta_x, theta_y  lean the distribution. Angles are taken modulo 2 pi; up to pi either way costs 5 eps of the
+///          direction, more whole turns cost theta eps.
+struct Ellipsoid {
+  Columns2 alpha;
+  Column theta_x, theta_y, theta_z;
+
+  constexpr Ellipsoid(const Columns2& alpha_, const Column& theta_x_ = 0.f, const Column& theta_y_ = 0.f,
+                      const Column& theta_z_ = 0.f) noexcept
+      : alpha(alpha_), theta_x(theta_x_), theta_y(theta_y_), theta_z(theta_z_) {}
+};
+
+/// One ellipsoid for a whole batch, ready for use: five numbers and what is computed from them. Unset it is the
+/// unit sphere: alpha = 1.
+class Shape {
+ public:
+  constexpr Shape() noexcept = default;
+
+ private:
+  friend struct ShapeAccess;
+  float xx_ = 1.f, xy_ = 0.f, yx_ = 0.f, yy_ = 1.f, det_x_ = 1.f, det_y_ = 1.f, zx_ = 0.f, zy_ = 0.f;
+};
+
+enum class ShapeError { none, not_finite, not_positive, out_of_range };
+
+/// Shape of a general matrix A, row by row: eq. 1 with n = +z. A factor, or an orthogonal matrix on the left, changes
+/// nothing but which sample belongs to which u. |A| must be more than 2^-40 |a1| |a2| |a3|, with the columns' lengths,
+/// and what is left of A less these invariants between 2^-40 and 2^40; else `shape` is unchanged, and the answer is the
+/// reason.
+[[nodiscard]] ShapeError make_shape(const float (&a)[9], Shape& shape) noexcept;
+
+/// One line for people.
+const char* message(ShapeError error) noexcept;
+
+/// sample_normals of vndf.h, step by step Walter's version 3, section 4.1, with A^T p / |A^T p| for the normal and the
+/// density of eq. 33. wm.z >= 0, and wo.wm >= 0 but for rounding.
+///
+/// wo, u, wm, warp  as there. Views for which A wo points away from A n are sampled as well.
+///
+/// For theta = 0 the values of vndf.h, whichever way the zeros are given. theta_z alone is plain GGX in a turned frame.
+/// A spherical cap's azimuth is counted from where x comes to lie; that of the disk's warps goes by the view.
+///
+/// Largest error, in eps = 2^-24, against Walter's eq. 34-47 with A itself in quadruple precision, on 2^13 samples of
+/// each row of tests/ellipsoid/accuracy_test.cpp: for |theta_x|, |theta_y| <= 0.5 and alpha from 0.05 to 1 mean 1.7,
+/// p99.9 25, largest 63; down to alpha = 1e-3 mean 1.6, p99.9 28, largest 246. That is at most 3 (polar, concentric) or
+/// 10 (spherical_cap) times 1 + what half a unit of the last place of every input moves the exact normal by. For any
+/// angles mean 3.3, p99.9 140, largest 680, or 1630 for the cap, at most 5 times it (the cap 120).
+///
+/// NaN or infinity in any input of a lane, or alpha = 0: unspecified values or NaN in that lane.
+void sample_normals(Warp warp, std::size_t count, const Columns3& wo, const Ellipsoid& ellipsoid, const Columns2& u,
+                    const Out3& wm) noexcept;
+void sample_normals(Warp warp, std::size_t count, const Columns3& wo, const Shape& shape, const Columns2& u,
+                    const Out3& wm) noexcept;
+
+/// sample_reflection of vndf.h: wi, eq. 47; pdf, eq. 48; weight, eq. 50 without Fresnel's factor, in [0, 1]. Masking is
+/// G = G1(wo) G1(wi), eq. 5, with the minimum of eq. 6: the height-correlated one is not defined with it, and neither
+/// is bounded sampling. For theta = 0 wi has the values of vndf.h, pdf and weight are within 8 eps of its separable
+/// ones.
+void sample_reflection(Warp warp, std::size_t count, const Columns3& wo, const Ellipsoid& ellipsoid, const Columns2& u,
+                       const ReflectionSamples& out) noexcept;
+void sample_reflection(Warp warp, std::size_t count, const Columns3& wo, const Shape& shape, const Columns2& u,
+                       const ReflectionSamples& out) noexcept;
+
+/// evaluate_reflection of vndf.h: f_cos = D(h) G1(wo) G1(wi) / (4 wo.z), eq. 4, and the pdf of sample_reflection. Both
+/// are 0 where wo.z < 0 or wi.z <= 0. For theta = 0 within 16 eps of vndf.h.
+void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& wi, const Ellipsoid& ellipsoid,
+                         const Evaluations& out) noexcept;
+void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& wi, const Shape& shape,
+                         const Evaluations& out) noexcept;
+
+/// pdf_normals of vndf.h: eq. 33, for any view; 0 where wm.z < 0 or wo.wm <= 0.
+void pdf_normals(std::size_t count, const Columns3& wo, const Columns3& wm, const Ellipsoid& ellipsoid,
+                 float* pdf) noexcept;
+void pdf_normals(std::size_t count, const Columns3& wo, const Columns3& wm, const Shape& shape, float* pdf) noexcept;
+
+}  // namespace vndf

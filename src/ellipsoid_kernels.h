@@ -1,0 +1,112 @@
+// The kernels of ellipsoid.h: those of plain GGX, with other shapes.
+#pragma once
+
+#include "shape_access.h"
+
+namespace {
+
+/// The same numbers that a lane of tilted columns works out.
+Shape shape_of(const Ellipsoid& constants) noexcept {
+  lanes::Vec2<float> alpha = {constants.alpha.x.value, constants.alpha.y.value};
+  auto a = lanes::tilted_shape<float>(alpha, constants.theta_x.value, constants.theta_y.value, constants.theta_z.value);
+  const auto& b = a.turned;
+  return ShapeAccess::make(b.xx, b.xy, b.yx, b.yy, b.det.x, b.det.y, a.zx, a.zy);
+}
+
+// A kind of shapes: which columns the kernels read besides those of the function. The alpha of one shape is not read,
+// and any column stands for it.
+struct OneShapes {
+  template <std::size_t kAlpha, std::size_t kTheta, std::size_t kLanes>
+  using Shapes = OneShape;
+
+  template <class Kernel, std::size_t N, std::size_t M>
+  static VNDF_INLINE void run(std::size_t count, const Column* const (&columns)[N], const Shape& shape,
+                              float* const (&results)[M]) {
+    Kernel kernel;
+    kernel.shapes.set(shape);
+    for_each_block<N, M>(count, columns, results, kernel);
+  }
+  static VNDF_INLINE Columns2 alpha(const Shape&) { return {0.f, 0.f}; }
+};
+
+template <class Kernel, std::size_t N, std::size_t M, class... Angles>
+VNDF_INLINE void run_with_angles(std::size_t count, const Column* const (&columns)[N], float* const (&results)[M],
+                                 const Angles&... angles) {
+  const Column* all[N + sizeof...(Angles)];
+  for (std::size_t c = 0; c < N; ++c) all[c] = columns[c];
+  std::size_t c = N;
+  ((all[c++] = &angles), ...);
+  Kernel kernel;
+  for_each_block<N + sizeof...(Angles), M>(count, all, results, kernel);
+}
+
+struct AllTurned {
+  template <std::size_t kAlpha, std::size_t kTheta, std::size_t kLanes>
+  using Shapes = TurnedShapes<kAlpha, kTheta, kLanes>;
+
+  template <class Kernel, std::size_t N, std::size_t M>
+  static VNDF_INLINE void run(std::size_t count, const Column* const (&columns)[N], const Ellipsoid& ellipsoid,
+                              float* const (&results)[M]) {
+    run_with_angles<Kernel>(count, columns, results, ellipsoid.theta_z);
+  }
+  static VNDF_INLINE const Columns2& alpha(const Ellipsoid& ellipsoid) { return ellipsoid.alpha; }
+};
+struct AllTilted {
+  template <std::size_t kAlpha, std::size_t kTheta, std::size_t kLanes>
+  using Shapes = TiltedShapes<kAlpha, kTheta, kLanes>;
+
+  template <class Kernel, std::size_t N, std::size_t M>
+  static VNDF_INLINE void run(std::size_t count, const Column* const (&columns)[N], const Ellipsoid& ellipsoid,
+                              float* const (&results)[M]) {
+    run_with_angles<Kernel>(count, columns, results, ellipsoid.theta_x, ellipsoid.theta_y, ellipsoid.theta_z);
+  }
+  static VNDF_INLINE const Columns2& alpha(const Ellipsoid& ellipsoid) { return ellipsoid.alpha; }
+};
+
+template <Warp warp, class Shapes>
+using Normals =
+    std::conditional_t<warp == Warp::spherical_cap, NormalsOnCap<Shapes>, NormalsOnDisk<kDiskMap<warp>, Shapes>>;
+
+template <class Kind, Warp warp, class S>
+void sample_normals_of(std::size_t count, const Columns3& wo, const S& shape, const Columns2& u,
+                       const Out3& wm) noexcept {
+  const Columns2& alpha = Kind::alpha(shape);
+  Kind::template run<Normals<warp, typename Kind::template Shapes<3, 7, kBlock>>>(
+      count, {&wo.x, &wo.y, &wo.z, &alpha.x, &alpha.y, &u.x, &u.y}, shape, {wm.x, wm.y, wm.z});
+}
+
+template <class Kind, Warp warp, class S>
+void sample_reflection_of(std::size_t count, const Columns3& wo, const S& shape, const Columns2& u,
+                          const ReflectionSamples& out) noexcept {
+  const Columns2& alpha = Kind::alpha(shape);
+  Kind::template run<ReflectionKernel<warp, false, lanes::Lunes, typename Kind::template Shapes<3, 7, kShadingBlock>>>(
+      count, {&wo.x, &wo.y, &wo.z, &alpha.x, &alpha.y, &u.x, &u.y}, shape,
+      {out.wi.x, out.wi.y, out.wi.z, out.pdf, out.weight, out.wm.x, out.wm.y, out.wm.z, out.wo_dot_wm});
+}
+
+template <class Kind, class S>
+void evaluate_reflection_of(std::size_t count, const Columns3& wo, const Columns3& wi, const S& shape,
+                            const Evaluations& out) noexcept {
+  const Columns2& alpha = Kind::alpha(shape);
+  Kind::template run<ReflectionEvaluation<false, lanes::Lunes, typename Kind::template Shapes<6, 8, kWidth>>>(
+      count, {&wo.x, &wo.y, &wo.z, &wi.x, &wi.y, &wi.z, &alpha.x, &alpha.y}, shape, {out.f_cos, out.pdf});
+}
+
+template <class Kind, class S>
+void pdf_normals_of(std::size_t count, const Columns3& wo, const Columns3& wm, const S& shape, float* pdf) noexcept {
+  const Columns2& alpha = Kind::alpha(shape);
+  Kind::template run<NormalDensity<typename Kind::template Shapes<6, 8, kWidth>>>(
+      count, {&wo.x, &wo.y, &wo.z, &wm.x, &wm.y, &wm.z, &alpha.x, &alpha.y}, shape, {pdf});
+}
+
+// The functions for shapes of one kind.
+#define VNDF_SHAPE_KERNELS(kind, S)                                                                       \
+  {                                                                                                       \
+    {::sample_normals_of<kind, Warp::polar, S>, ::sample_normals_of<kind, Warp::concentric, S>,           \
+     ::sample_normals_of<kind, Warp::spherical_cap, S>},                                                  \
+        {::sample_reflection_of<kind, Warp::polar, S>, ::sample_reflection_of<kind, Warp::concentric, S>, \
+         ::sample_reflection_of<kind, Warp::spherical_cap, S>},                                           \
+        ::evaluate_reflection_of<kind, S>, ::pdf_normals_of<kind, S>                                      \
+  }
+
+}  // namespace
