@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include <vndf/ellipsoid.h>
 #include <vndf/vndf.h>
 
 #include "inputs.h"
@@ -86,6 +87,23 @@ vndf::Out3 wi(const bench::Batch& b) {
 
 Call sample_normals(vndf::Warp warp) {
   return [warp](const bench::Batch& b) { vndf::sample_normals(warp, b.count, wo(b), alpha(b), u(b), wm(b)); };
+}
+
+// Ellipsoids: five constants, theta_z per lane, five columns. The angles are random numbers, whatever they are.
+Call sample_one_shape(vndf::Warp warp) {
+  return [warp](const bench::Batch& b) {
+    vndf::sample_normals(warp, b.count, wo(b), vndf::Ellipsoid({0.2f, 0.5f}, 0.3f, -0.2f, 0.5f), u(b), wm(b));
+  };
+}
+Call sample_turned(vndf::Warp warp) {
+  return [warp](const bench::Batch& b) {
+    vndf::sample_normals(warp, b.count, wo(b), vndf::Ellipsoid(alpha(b), 0.f, 0.f, b.in[5]), u(b), wm(b));
+  };
+}
+Call sample_tilted(vndf::Warp warp) {
+  return [warp](const bench::Batch& b) {
+    vndf::sample_normals(warp, b.count, wo(b), vndf::Ellipsoid(alpha(b), b.in[5], b.in[6], b.in[5]), u(b), wm(b));
+  };
 }
 
 Call sample_disk(vndf::DiskMap map) {
@@ -164,6 +182,11 @@ std::vector<Operation> operations() {
                  {vndf::Warp::concentric, "concentric"},
                  {vndf::Warp::spherical_cap, "spherical_cap"}};
     for (auto [warp, name] : warps) add(("sample_normals/" + std::string(name)).c_str(), 10, sample_normals(warp));
+    for (auto [warp, name] : warps) {
+      add(("sample_normals_one_shape/" + std::string(name)).c_str(), 8, sample_one_shape(warp));
+      add(("sample_normals_turned/" + std::string(name)).c_str(), 11, sample_turned(warp));
+      add(("sample_normals_tilted/" + std::string(name)).c_str(), 13, sample_tilted(warp));
+    }
     add("sample_disk/polar", 4, sample_disk(vndf::DiskMap::polar));
     add("sample_disk/concentric", 4, sample_disk(vndf::DiskMap::concentric));
     for (auto [warp, name] : warps)

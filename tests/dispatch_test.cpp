@@ -55,6 +55,10 @@ namespace vndf {
       {},                                                                                                  \
       {},                                                                                                  \
       {},                                                                                                  \
+      nullptr,                                                                                             \
+      {},                                                                                                  \
+      {},                                                                                                  \
+      {},                                                                                                  \
   };
 #include "isa_rows.h"
 #undef VNDF_ISA

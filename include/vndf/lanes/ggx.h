@@ -14,7 +14,7 @@ constexpr float kInvPi = 0x1.45f306p-2f;
 constexpr float kInv2Pi = 0x1.45f306p-3f;
 
 /// |A v|.
-template <class F, class Shape>
+template <class F, class Shape = Vec2<F>>
 VNDF_INLINE F stretched_length(const Vec3<F>& v, const Shape& shape) {
   Vec3<F> h = stretch(v, shape);
   return op::sqrt(dot(h, h));
@@ -33,7 +33,7 @@ VNDF_INLINE F lune_area(const Vec3<F>& h) {
 ///
 /// With |A| = a b, D = (a / b) (a |m|^2 / k^2)^2 / pi with k = a A^-T m: that stays within the range of float, which
 /// alpha^2 does not. For plain GGX a is alpha_x, b is alpha_y, and k^2 is a sum of positive terms.
-template <class F, class Shape>
+template <class F, class Shape = Vec2<F>>
 VNDF_INLINE F ndf(const Vec3<F>& m, const Shape& shape) {
   constexpr float kUnit = 0x1p40f;
   Vec3<F> v = {m.x * F(kUnit), m.y * F(kUnit), m.z * F(kUnit)};
@@ -74,7 +74,7 @@ VNDF_INLINE F smith_g2_separable(const Vec3<F>& v, const Vec3<F>& l, const Vec2<
 
 /// The density of visible normals, eq. 3 (Walter et al. 2015, eq. 33), for any view, m of the upper hemisphere:
 /// 2 D(m) max(0, v.m) / (|A v| + (A v).z).
-template <class F, class Shape>
+template <class F, class Shape = Vec2<F>>
 VNDF_INLINE F visible_normal_pdf(const Vec3<F>& v, const Vec3<F>& m, const Shape& shape) {
   F cos = dot(v, m);
   F pdf = ((cos + cos) / lune_area(stretch(v, shape))) * ndf(m, shape);

@@ -24,7 +24,7 @@ struct HemisphereView {
 /// would square to nothing, keep them. A tangent under 2^-32 is taken as 2^-32 and changes no normal by more than
 /// 2^-32; azimuth components under 2^-100 are taken as the x axis. 1 - |z| = r2 / (len (len + |z| len)), no difference
 /// taken. `norm` is |A V|, which the densities need.
-template <class F, class Shape>
+template <class F, class Shape = Vec2<F>>
 VNDF_INLINE HemisphereView<F> map_to_hemisphere(Vec3<F> wo, const Shape& shape, F& norm) {
   constexpr float kSmallest = 0x1p-100f, kLongest = 0x1p52f;
   Vec3<F> h = stretch(wo, shape);
@@ -56,7 +56,7 @@ VNDF_INLINE HemisphereView<F> map_to_hemisphere(Vec3<F> wo, const Shape& shape, 
           op::select(below, large, small)};
 }
 
-template <class F, class Shape>
+template <class F, class Shape = Vec2<F>>
 VNDF_INLINE HemisphereView<F> map_to_hemisphere(Vec3<F> wo, const Shape& shape) {
   F norm;
   return map_to_hemisphere(wo, shape, norm);
@@ -109,7 +109,7 @@ VNDF_INLINE Vec3<F> reproject(const HemisphereView<F>& view, const Chord<F>& t, 
 /// Section 3.4, eq. 6: Ne = A^T Nh / |A^T Nh|, for Nh of any length up to 2^60.
 ///
 /// The addend is far below the rounding of any Nh that has a direction; one that has none becomes +z.
-template <class F, class Shape>
+template <class F, class Shape = Vec2<F>>
 VNDF_INLINE Vec3<F> map_from_hemisphere(Vec3<F> nh, const Shape& shape) {
   Vec3<F> p = stretch_back<F>({nh.x, nh.y, nh.z + F(0x1p-62f)}, shape);
   F inv = F(1.f) / op::sqrt(dot(p, p));

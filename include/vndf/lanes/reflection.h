@@ -58,7 +58,7 @@ struct CapFacet {
 };
 
 /// `r2`, e and phi are the disk point, see on_cap.
-template <class F, class Shape>
+template <class F, class Shape = Vec2<F>>
 VNDF_INLINE CapFacet<F> sample_visible_cap(Vec3<F> wo, const Shape& shape, F r2, F e, const Angle<F>& phi) {
   Vec3<F> h = stretch(wo, shape);
   auto view = map_to_cap(h, F(1.f));
@@ -93,7 +93,7 @@ struct Normal {
   F p2, inv_p2;  // |p|^2
 };
 
-template <class F, class Shape>
+template <class F, class Shape = Vec2<F>>
 VNDF_INLINE Normal<F> normal_of(const Facet<F>& facet, const Shape& shape) {
   Vec3<F> p = stretch_back(facet.nh, shape);
   F p2 = dot(p, p);
@@ -122,7 +122,7 @@ VNDF_INLINE Vec3<F> reflect(const Vec3<F>& wo, const Facet<F>& facet, const Norm
 
 /// The density of the reflected direction, eq. 17, is D(wm) / (2 area) with D = |A^T Nh|^4 / (pi |A|). This is
 /// 1 / (2 pi density); for the sake of the range each factor of |A| is taken together with one |A^T Nh|^2.
-template <class F, class Shape>
+template <class F, class Shape = Vec2<F>>
 VNDF_INLINE F spread(const Facet<F>& facet, const Normal<F>& normal, const Shape& shape) {
   Vec2<F> determinant = factors_of_determinant(shape);
   F g = facet.norm2 * normal.inv_p2;
@@ -151,7 +151,7 @@ struct Separable : ByLengths {
   }
 };
 
-template <class Masking, class F, class Shape>
+template <class Masking, class F, class Shape = Vec2<F>>
 VNDF_INLINE F reflection_weight(F wo_z, F length, F area, const Vec3<F>& wi, const Shape& shape) {
   if constexpr (std::is_base_of_v<ByLengths, Masking>)
     return Masking::weight(wo_z, length, area, wi.z, stretched_length(wi, shape));
@@ -173,7 +173,7 @@ struct ReflectionSample {
 };
 
 /// From a reflected direction, the lengths of its facet and its spread.
-template <class Masking, class F, class Shape>
+template <class Masking, class F, class Shape = Vec2<F>>
 VNDF_INLINE ReflectionSample<F> weigh_reflection(F wo_z, const Shape& shape, F length, F area, const Vec3<F>& wi,
                                                  F spread) {
   F weight = reflection_weight<Masking>(wo_z, length, area, wi, shape);
@@ -181,7 +181,7 @@ VNDF_INLINE ReflectionSample<F> weigh_reflection(F wo_z, const Shape& shape, F l
 }
 
 /// From a facet: reflect, density, weight.
-template <class Masking, class F, class Shape>
+template <class Masking, class F, class Shape = Vec2<F>>
 VNDF_INLINE ReflectionSample<F> sample_reflection(const Vec3<F>& wo, const Shape& shape, const Facet<F>& facet) {
   auto normal = normal_of(facet, shape);
   return weigh_reflection<Masking>(wo.z, shape, facet.length, facet.area, reflect(wo, facet, normal),
@@ -196,7 +196,7 @@ struct Evaluation {
 
 /// D(h) / (2 area), and f cos = pdf weight. h = wo + wi is taken as it is: one rounding for each component, none for
 /// its length.
-template <class Masking, class F, class Shape>
+template <class Masking, class F, class Shape = Vec2<F>>
 VNDF_INLINE Evaluation<F> evaluate_reflection(const Vec3<F>& wo, const Vec3<F>& wi, const Shape& shape, F length,
                                               F area) {
   F pdf = ndf<F>({wo.x + wi.x, wo.y + wi.y, wo.z + wi.z}, shape) / (area + area);
@@ -204,7 +204,7 @@ VNDF_INLINE Evaluation<F> evaluate_reflection(const Vec3<F>& wo, const Vec3<F>& 
   return {where_above(wo.z, wi.z, pdf * weight), where_above(wo.z, wi.z, pdf)};
 }
 
-template <class Masking, class F, class Shape>
+template <class Masking, class F, class Shape = Vec2<F>>
 VNDF_INLINE Evaluation<F> evaluate_reflection(const Vec3<F>& wo, const Vec3<F>& wi, const Shape& shape) {
   if constexpr (kUpright<Shape>) {
     F length = stretched_length(wo, shape);

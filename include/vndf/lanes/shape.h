@@ -39,6 +39,8 @@ struct Tilted {
   F zx, zy;
 };
 
+// Functions of a shape take Vec2 where nothing says which, so that {alpha_x, alpha_y} is a shape.
+
 /// Whether (A v).z is v.z in a shape's formulas. Turned shapes go the way of tilted ones, so that they have their bits.
 template <class Shape>
 constexpr bool kUpright = false;

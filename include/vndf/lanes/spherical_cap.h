@@ -92,7 +92,7 @@ VNDF_INLINE Vec3<F> on_cap(const CapView<F>& view, const Cap<F>& cap, F r2, F e,
 }
 
 /// Dupuy and Benyoub 2023, Listing 3, from u1 for the azimuth and u2 for the height of c.
-template <class F, class Shape>
+template <class F, class Shape = Vec2<F>>
 VNDF_INLINE Vec3<F> sample_cap(Vec3<F> wo, const Shape& shape, Vec2<F> u) {
   Vec3<F> h = stretch(wo, shape);
   auto view = map_to_cap(h, cap_scale(h));
