@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "kernel_table.h"
+#include "shape_access.h"
 
 namespace vndf {
 
@@ -116,7 +117,7 @@ template <class F>
 void with_cheapest(const Ellipsoid& e, F f) {
   const KernelTable& kernels = *active().kernels;
   if (constant(e.alpha.x) && constant(e.alpha.y) && constant(e.theta_x) && constant(e.theta_y) && constant(e.theta_z))
-    f(kernels.one_shape, kernels.shape_of(e));
+    f(kernels.one_shape, shape_of(e));
   else if (zero(e.theta_x) && zero(e.theta_y))
     f(kernels.turned, e);
   else

@@ -1,29 +1,19 @@
 // The kernels of ellipsoid.h: those of plain GGX, with other shapes.
 #pragma once
 
-#include "shape_access.h"
-
 namespace {
-
-/// The same numbers that a lane of tilted columns works out.
-Shape shape_of(const Ellipsoid& constants) noexcept {
-  lanes::Vec2<float> alpha = {constants.alpha.x.value, constants.alpha.y.value};
-  auto a = lanes::tilted_shape<float>(alpha, constants.theta_x.value, constants.theta_y.value, constants.theta_z.value);
-  const auto& b = a.turned;
-  return ShapeAccess::make(b.xx, b.xy, b.yx, b.yy, b.det.x, b.det.y, a.zx, a.zy);
-}
 
 // A kind of shapes: which columns the kernels read besides those of the function. The alpha of one shape is not read,
 // and any column stands for it.
 struct OneShapes {
-  template <std::size_t kAlpha, std::size_t kTheta, std::size_t kLanes>
+  template <std::size_t kAlpha, std::size_t kTheta, std::size_t kLanes, class T>
   using Shapes = OneShape;
 
   template <class Kernel, std::size_t N, std::size_t M>
   static VNDF_INLINE void run(std::size_t count, const Column* const (&columns)[N], const Shape& shape,
                               float* const (&results)[M]) {
     Kernel kernel;
-    kernel.shapes.set(shape);
+    kernel.shapes.shape = ShapeAccess::get(shape);
     for_each_block<N, M>(count, columns, results, kernel);
   }
   static VNDF_INLINE Columns2 alpha(const Shape&) { return {0.f, 0.f}; }
@@ -41,8 +31,8 @@ VNDF_INLINE void run_with_angles(std::size_t count, const Column* const (&column
 }
 
 struct AllTurned {
-  template <std::size_t kAlpha, std::size_t kTheta, std::size_t kLanes>
-  using Shapes = TurnedShapes<kAlpha, kTheta, kLanes>;
+  template <std::size_t kAlpha, std::size_t kTheta, std::size_t kLanes, class T>
+  using Shapes = TurnedColumns<kAlpha, kTheta, kLanes, T>;
 
   template <class Kernel, std::size_t N, std::size_t M>
   static VNDF_INLINE void run(std::size_t count, const Column* const (&columns)[N], const Ellipsoid& ellipsoid,
@@ -52,8 +42,8 @@ struct AllTurned {
   static VNDF_INLINE const Columns2& alpha(const Ellipsoid& ellipsoid) { return ellipsoid.alpha; }
 };
 struct AllTilted {
-  template <std::size_t kAlpha, std::size_t kTheta, std::size_t kLanes>
-  using Shapes = TiltedShapes<kAlpha, kTheta, kLanes>;
+  template <std::size_t kAlpha, std::size_t kTheta, std::size_t kLanes, class T>
+  using Shapes = TiltedColumns<kAlpha, kTheta, kLanes, T>;
 
   template <class Kernel, std::size_t N, std::size_t M>
   static VNDF_INLINE void run(std::size_t count, const Column* const (&columns)[N], const Ellipsoid& ellipsoid,
@@ -67,11 +57,15 @@ template <Warp warp, class Shapes>
 using Normals =
     std::conditional_t<warp == Warp::spherical_cap, NormalsOnCap<Shapes>, NormalsOnDisk<kDiskMap<warp>, Shapes>>;
 
+/// See sample_normal_cap.
+template <Warp warp>
+using Elements = std::conditional_t<warp == Warp::spherical_cap, F, lanes::Split<F>>;
+
 template <class Kind, Warp warp, class S>
 void sample_normals_of(std::size_t count, const Columns3& wo, const S& shape, const Columns2& u,
                        const Out3& wm) noexcept {
   const Columns2& alpha = Kind::alpha(shape);
-  Kind::template run<Normals<warp, typename Kind::template Shapes<3, 7, kBlock>>>(
+  Kind::template run<Normals<warp, typename Kind::template Shapes<3, 7, kBlock, Elements<warp>>>>(
       count, {&wo.x, &wo.y, &wo.z, &alpha.x, &alpha.y, &u.x, &u.y}, shape, {wm.x, wm.y, wm.z});
 }
 
@@ -79,7 +73,8 @@ template <class Kind, Warp warp, class S>
 void sample_reflection_of(std::size_t count, const Columns3& wo, const S& shape, const Columns2& u,
                           const ReflectionSamples& out) noexcept {
   const Columns2& alpha = Kind::alpha(shape);
-  Kind::template run<ReflectionKernel<warp, false, lanes::Lunes, typename Kind::template Shapes<3, 7, kShadingBlock>>>(
+  Kind::template run<
+      ReflectionKernel<warp, false, lanes::Lunes, typename Kind::template Shapes<3, 7, kShadingBlock, Elements<warp>>>>(
       count, {&wo.x, &wo.y, &wo.z, &alpha.x, &alpha.y, &u.x, &u.y}, shape,
       {out.wi.x, out.wi.y, out.wi.z, out.pdf, out.weight, out.wm.x, out.wm.y, out.wm.z, out.wo_dot_wm});
 }
@@ -88,14 +83,15 @@ template <class Kind, class S>
 void evaluate_reflection_of(std::size_t count, const Columns3& wo, const Columns3& wi, const S& shape,
                             const Evaluations& out) noexcept {
   const Columns2& alpha = Kind::alpha(shape);
-  Kind::template run<ReflectionEvaluation<false, lanes::Lunes, typename Kind::template Shapes<6, 8, kWidth>>>(
+  Kind::template run<
+      ReflectionEvaluation<false, lanes::Lunes, typename Kind::template Shapes<6, 8, kWidth, lanes::Split<F>>>>(
       count, {&wo.x, &wo.y, &wo.z, &wi.x, &wi.y, &wi.z, &alpha.x, &alpha.y}, shape, {out.f_cos, out.pdf});
 }
 
 template <class Kind, class S>
 void pdf_normals_of(std::size_t count, const Columns3& wo, const Columns3& wm, const S& shape, float* pdf) noexcept {
   const Columns2& alpha = Kind::alpha(shape);
-  Kind::template run<NormalDensity<typename Kind::template Shapes<6, 8, kWidth>>>(
+  Kind::template run<NormalDensity<typename Kind::template Shapes<6, 8, kWidth, lanes::Split<F>>>>(
       count, {&wo.x, &wo.y, &wo.z, &wm.x, &wm.y, &wm.z, &alpha.x, &alpha.y}, shape, {pdf});
 }
 

@@ -37,7 +37,6 @@ struct KernelTable {
   void (*evaluate_dielectric[2])(std::size_t count, const Columns3& wo, const Columns3& wi, const Columns2& alpha,
                                  const Column& eta, const Evaluations& out) noexcept;
 
-  Shape (*shape_of)(const Ellipsoid& constants) noexcept;
   ShapeKernels<Shape> one_shape;
   ShapeKernels<Ellipsoid> turned;  // theta_x = theta_y = 0
   ShapeKernels<Ellipsoid> tilted;

@@ -12,12 +12,6 @@ using namespace vndf;
 using lanes::Vec2;
 using lanes::Vec3;
 
-}  // namespace
-
-#include "shapes.h"
-
-namespace {
-
 // The columns of the sampling functions: wo, alpha, u, and what else there is.
 template <std::size_t N>
 VNDF_INLINE Vec3<F> load_wo(const Inputs<N>& in, std::size_t i) {
@@ -27,6 +21,12 @@ template <std::size_t N>
 VNDF_INLINE Vec2<F> load_u(const Inputs<N>& in, std::size_t i) {
   return {in.template load<5>(i), in.template load<6>(i)};
 }
+
+}  // namespace
+
+#include "shapes.h"
+
+namespace {
 
 VNDF_INLINE void store(const Vec2<F>& v, const Outputs<2>& out, std::size_t i) {
   out.store<0>(i, v.x);
@@ -49,11 +49,13 @@ struct NormalsOnDisk {
   Staged<lanes::DiskPoint<F>> points;
   Staged<lanes::Chord<F>> chords;
   Staged<lanes::HemisphereView<F>> views;
+  StretchedViews<Shapes, AsGiven, kBlock> stretched;
   Staged<Vec3<F>> normals;
 
   template <std::size_t N>
   VNDF_INLINE void operator()(const Inputs<N>& in, const Outputs<3>& wm, std::size_t begin, std::size_t end) {
     if (end - begin == kWidth) {
+      shapes.prepare(in, begin, end);
       auto t = chord(map_disk<map>(load_u(in, begin)));
       store(sample_normal_on_chord(load_wo(in, begin), shapes.at(in, begin), t), wm, begin);
       return;
@@ -65,11 +67,12 @@ struct NormalsOnDisk {
     }
     for (std::size_t i = begin; i < end; i += kWidth) {
       in.template prefetch<2>(i);
+      stretched.prepare(in, shapes, i);
       chords.store(i, chord(points.load(i)));
     }
     for (std::size_t i = begin; i < end; i += kWidth) {
       in.template prefetch<3, 4>(i);
-      views.store(i, map_to_hemisphere(load_wo(in, i), shapes.load(in, i)));
+      views.store(i, map_to_hemisphere(stretched.load(in, shapes, i)));
     }
     for (std::size_t i = begin; i < end; i += kWidth) {
       in.template prefetch<5>(i);
@@ -92,13 +95,14 @@ struct NormalsOnCap {
   template <std::size_t N>
   VNDF_INLINE void operator()(const Inputs<N>& in, const Outputs<3>& wm, std::size_t begin, std::size_t end) {
     if (end - begin == kWidth) {
-      store(sample_normal_cap(load_wo(in, begin), shapes.at(in, begin), load_u(in, begin)), wm, begin);
+      shapes.prepare(in, begin, end);
+      store(sample_normal_cap(load_wo(in, begin), shapes.load(in, begin), load_u(in, begin)), wm, begin);
       return;
     }
     shapes.prepare(in, begin, end);
     for (std::size_t i = begin; i < end; i += kWidth) {
       in.template prefetch<0, 1, 2, 5, 6>(i);
-      normals.store(i, sample_cap(load_wo(in, i), shapes.load(in, i), load_u(in, i)));
+      normals.store(i, sample_cap(stretch(load_wo(in, i), shapes.load(in, i)), load_u(in, i)));
     }
     for (std::size_t i = begin; i < end; i += kWidth) {
       in.template prefetch<3, 4>(i);
@@ -151,7 +155,6 @@ const KernelTable VNDF_TABLE = {
     {VNDF_PER_WARP(sample_dielectric, Masking::height_correlated),
      VNDF_PER_WARP(sample_dielectric, Masking::separable)},
     {::evaluate_dielectric<Masking::height_correlated>, ::evaluate_dielectric<Masking::separable>},
-    ::shape_of,
     VNDF_SHAPE_KERNELS(OneShapes, Shape),
     VNDF_SHAPE_KERNELS(AllTurned, Ellipsoid),
     VNDF_SHAPE_KERNELS(AllTilted, Ellipsoid),

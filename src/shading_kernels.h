@@ -14,21 +14,6 @@ using StagedForShading = Staged<T, kShadingBlock>;
 template <Warp warp>
 constexpr DiskMap kDiskMap = warp == Warp::polar ? DiskMap::polar : DiskMap::concentric;
 
-/// The view that is sampled for: the column's, or for a dielectric the one turned to the upper hemisphere.
-struct AsGiven {
-  template <std::size_t N>
-  static VNDF_INLINE Vec3<F> view(const Inputs<N>& in, std::size_t i) {
-    return load_wo(in, i);
-  }
-};
-struct TurnedUp {
-  template <std::size_t N>
-  static VNDF_INLINE Vec3<F> view(const Inputs<N>& in, std::size_t i) {
-    Vec3<F> wo = load_wo(in, i);
-    return lanes::turned(wo.z < F(0.f), wo);
-  }
-};
-
 /// Visible normals from the disk, as Heitz 2018 lays it on the hemisphere.
 template <Warp warp, class View, class Shapes>
 class FacetsOnDisk {
@@ -41,13 +26,16 @@ class FacetsOnDisk {
     }
     for (std::size_t i = begin; i < end; i += kWidth) {
       in.template prefetch<2>(i);
+      stretched_.prepare(in, shapes, i);
       chords_.store(i, chord(points_.load(i)));
     }
     for (std::size_t i = begin; i < end; i += kWidth) {
       in.template prefetch<3, 4>(i);
+      Vec3<F> h = stretched_.load(in, shapes, i);
       Stretched view;
-      view.hemisphere = map_to_hemisphere(View::view(in, i), shapes.load(in, i), view.length);
+      view.hemisphere = map_to_hemisphere(h, view.length);
       views_.store(i, view);
+      if constexpr (!kUpright) areas_.store(i, {lune_area(h, view.hemisphere, view.length)});
     }
     for (std::size_t i = begin; i < end; i += kWidth) {
       in.template prefetch<5, 6>(i);
@@ -57,16 +45,22 @@ class FacetsOnDisk {
   }
   VNDF_INLINE Facet<F> load(std::size_t i, F wo_z) const {
     auto view = views_.load(i);
-    F area = kUpright ? view.length + wo_z : view.length * view.hemisphere.one_plus_z;
+    F area = view.length + wo_z;
+    if constexpr (!kUpright) area = areas_.load(i).area;
     return facet_of(facets_.load(i), view.length, area);
   }
 
  private:
-  static constexpr bool kUpright = std::is_same_v<Shapes, AlphaColumns<3>>;
+  static constexpr bool kUpright = lanes::kUpright<typename Shapes::Type>;
   struct Stretched {
     lanes::HemisphereView<F> hemisphere;
     F length;
   };
+  struct Area {
+    F area;
+  };
+  StagedForShading<Area> areas_;  // of what leans
+  StretchedViews<Shapes, View, kShadingBlock> stretched_;
   StagedForShading<lanes::DiskPoint<F>> points_;
   StagedForShading<lanes::Chord<F>> chords_;
   StagedForShading<Stretched> views_;
@@ -81,20 +75,23 @@ class FacetsOnCap {
   VNDF_INLINE void sample(const Inputs<N>& in, const Shapes& shapes, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; i += kWidth) {
       in.template prefetch<0, 1, 2, 5, 6>(i);
-      facets_.store(i, facet(View::view(in, i), shapes.load(in, i), load_u(in, i)));
+      Vec2<F> u = load_u(in, i);
+      if constexpr (warp == Warp::spherical_cap) {
+        facets_.store(i, facet(in, shapes, i, u.y, F(1.f) - u.y, lanes::sincos2pi(u.x)));
+      } else {
+        auto t = map_disk<kDiskMap<warp>>(u);
+        facets_.store(i, facet(in, shapes, i, t.r2, t.e, t.phi));
+      }
     }
   }
   VNDF_INLINE Facet<F> load(std::size_t i, F) const { return facet_of(facets_.load(i)); }
 
  private:
-  template <class S>
-  static VNDF_INLINE lanes::CapFacet<F> facet(Vec3<F> wo, const S& shape, Vec2<F> u) {
-    if constexpr (warp == Warp::spherical_cap) return facet(wo, shape, u.y, F(1.f) - u.y, lanes::sincos2pi(u.x));
-    auto t = map_disk<kDiskMap<warp>>(u);
-    return facet(wo, shape, t.r2, t.e, t.phi);
-  }
-  template <class S>
-  static VNDF_INLINE lanes::CapFacet<F> facet(Vec3<F> wo, const S& shape, F r2, F e, const lanes::Angle<F>& phi) {
+  template <std::size_t N>
+  static VNDF_INLINE lanes::CapFacet<F> facet(const Inputs<N>& in, const Shapes& shapes, std::size_t i, F r2, F e,
+                                              const lanes::Angle<F>& phi) {
+    Vec3<F> wo = View::view(in, i);
+    auto shape = shapes.load(in, i);
     if constexpr (bounded)
       return sample_bounded_cap(wo, shape, r2, e, phi);
     else
@@ -203,6 +200,7 @@ struct ReflectionEvaluation {
   template <std::size_t N>
   VNDF_INLINE void operator()(const Inputs<N>& in, const Outputs<2>& out, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; i += kWidth) {
+      shapes.prepare(in, i, i + kWidth);
       auto value = evaluate(load_wo(in, i), load_second(in, i), shapes.at(in, i));
       out.store<0>(i, value.f_cos);
       out.store<1>(i, value.pdf);
@@ -231,8 +229,10 @@ struct NormalDensity {
 
   template <std::size_t N>
   VNDF_INLINE void operator()(const Inputs<N>& in, const Outputs<1>& pdf, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; i += kWidth)
+    for (std::size_t i = begin; i < end; i += kWidth) {
+      shapes.prepare(in, i, i + kWidth);
       pdf.store<0>(i, lanes::visible_normal_pdf(load_wo(in, i), load_second(in, i), shapes.at(in, i)));
+    }
   }
 };
 
@@ -248,7 +248,9 @@ class DielectricKernel {
   VNDF_INLINE void operator()(const Inputs<9>& in, const Outputs<6>& out, std::size_t begin, std::size_t end) {
     for (std::size_t to; begin < end; begin = to) {
       to = end_of_half(begin, end);
-      facets_.sample(in, AlphaColumns<3>(), begin, to);
+      AlphaColumns<3> shapes;
+      shapes.prepare(in, begin, to);
+      facets_.sample(in, shapes, begin, to);
       for (std::size_t i = begin; i < to; i += kWidth) {
         in.prefetch<3, 4, 7, 8>(i);
         Vec3<F> wo = load_wo(in, i);

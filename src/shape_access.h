@@ -1,25 +1,28 @@
-// The numbers of a Shape, for those who compute them.
+// What is inside a Shape, for those who compute it and those who compute with it.
 #pragma once
 
+#include <cstring>
+
 #include <vndf/ellipsoid.h>
+#include <vndf/lanes/shape.h>
 
 namespace vndf {
 
 struct ShapeAccess {
-  /// ((xx, xy, 0), (yx, yy, 0), (zx, zy, 1)), and two factors of its determinant. In the order of lanes::Tilted.
-  static inline __attribute__((always_inline)) Shape make(float xx, float xy, float yx, float yy, float det_x,
-                                                          float det_y, float zx, float zy) {
-    Shape shape;
-    shape.xx_ = xx;
-    shape.xy_ = xy;
-    shape.yx_ = yx;
-    shape.yy_ = yy;
-    shape.det_x_ = det_x;
-    shape.det_y_ = det_y;
-    shape.zx_ = zx;
-    shape.zy_ = zy;
-    return shape;
+  static VNDF_INLINE void set(Shape& shape, const lanes::Tilted<float>& a) {
+    static_assert(sizeof a == sizeof shape);
+    std::memcpy(shape.a_, &a, sizeof shape.a_);
+    std::memcpy(shape.det_, &a.det, sizeof shape.det_);
+  }
+  static VNDF_INLINE lanes::Tilted<float> get(const Shape& shape) {
+    lanes::Tilted<float> a;
+    std::memcpy(&a, shape.a_, sizeof shape.a_);
+    std::memcpy(&a.det, shape.det_, sizeof shape.det_);
+    return a;
   }
 };
+
+/// Of an ellipsoid of five constants. The numbers that a lane of columns works out.
+Shape shape_of(const Ellipsoid& constants) noexcept;
 
 }  // namespace vndf

@@ -35,7 +35,9 @@ class Shape {
 
  private:
   friend struct ShapeAccess;
-  float xx_ = 1.f, xy_ = 0.f, yx_ = 0.f, yy_ = 1.f, det_x_ = 1.f, det_y_ = 1.f, zx_ = 0.f, zy_ = 0.f;
+  // ((xx, xy, 0), (yx, yy, 0), (zx, zy, 1)), each element in two parts; two factors of the determinant.
+  float a_[6][2] = {{1.f, 0.f}, {0.f, 0.f}, {0.f, 0.f}, {1.f, 0.f}, {0.f, 0.f}, {0.f, 0.f}};
+  float det_[2] = {1.f, 1.f};
 };
 
 enum class ShapeError { none, not_finite, not_positive, out_of_range };

@@ -29,6 +29,12 @@ VNDF_INLINE F lune_area(const Vec3<F>& h) {
   return op::select(h.z < F(0.f), l2 / sum, sum);
 }
 
+/// The same from the view in the hemisphere configuration: |A v| (1 + z) where 1 + z is a small number.
+template <class F>
+VNDF_INLINE F lune_area(const Vec3<F>& h, const HemisphereView<F>& view, F norm) {
+  return op::select(h.z < F(0.f), norm * view.one_plus_z, norm + h.z);
+}
+
 /// D(m), Heitz 2018, eq. 1, Walter et al. 2015, eq. 1, for m of any length from 2^-40 to 8.
 ///
 /// With |A| = a b, D = (a / b) (a |m|^2 / k^2)^2 / pi with k = a A^-T m: that stays within the range of float, which

@@ -18,16 +18,15 @@ struct HemisphereView {
   F one_minus_z;  // the small one
 };
 
-/// Section 3.2, eq. 5.
+/// Section 3.2, eq. 5, from h = A V.
 ///
 /// Scaling by a power of two is exact, takes views of any length and lets near-normal views, whose azimuth components
 /// would square to nothing, keep them. A tangent under 2^-32 is taken as 2^-32 and changes no normal by more than
 /// 2^-32; azimuth components under 2^-100 are taken as the x axis. 1 - |z| = r2 / (len (len + |z| len)), no difference
 /// taken. `norm` is |A V|, which the densities need.
-template <class F, class Shape = Vec2<F>>
-VNDF_INLINE HemisphereView<F> map_to_hemisphere(Vec3<F> wo, const Shape& shape, F& norm) {
+template <class F>
+VNDF_INLINE HemisphereView<F> map_to_hemisphere(const Vec3<F>& h, F& norm) {
   constexpr float kSmallest = 0x1p-100f, kLongest = 0x1p52f;
-  Vec3<F> h = stretch(wo, shape);
   Int<F> larger = op::max(op::bits(op::abs(h.x)), op::bits(op::abs(h.y)));
   Int<F> exponent = op::max(larger, Int<F>(0x0d800000)) & Int<F>(0x7f800000);  // at least kSmallest
   F scale = op::from_bits(Int<F>(std::int32_t(0x89000000u)) - exponent);       // 2^20 / 2^exponent
@@ -56,10 +55,10 @@ VNDF_INLINE HemisphereView<F> map_to_hemisphere(Vec3<F> wo, const Shape& shape, 
           op::select(below, large, small)};
 }
 
-template <class F, class Shape = Vec2<F>>
-VNDF_INLINE HemisphereView<F> map_to_hemisphere(Vec3<F> wo, const Shape& shape) {
+template <class F>
+VNDF_INLINE HemisphereView<F> map_to_hemisphere(const Vec3<F>& h) {
   F norm;
-  return map_to_hemisphere(wo, shape, norm);
+  return map_to_hemisphere(h, norm);
 }
 
 /// What the squish leaves of the chord, with z the view's: lift = (1 + z) top, and the height of the normal above the

@@ -8,8 +8,8 @@ inline namespace VNDF_LANES_BUILD {
 
 template <class F, class Shape = Vec2<F>>
 VNDF_INLINE Vec3<F> sample_normal_on_chord(Vec3<F> wo, const Shape& shape, const Chord<F>& t) {
-  auto view = map_to_hemisphere(wo, shape);
-  return map_from_hemisphere(reproject(view, t, squish(view, t)), shape);
+  auto view = map_to_hemisphere(stretch(wo, shape));
+  return map_from_hemisphere(reproject(view, t, squish(view, t)), narrowed(shape));
 }
 
 template <class F, class Shape = Vec2<F>>
@@ -24,7 +24,9 @@ VNDF_INLINE Vec3<F> sample_normal_concentric(Vec3<F> wo, const Shape& shape, Vec
 
 template <class F, class Shape = Vec2<F>>
 VNDF_INLINE Vec3<F> sample_normal_cap(Vec3<F> wo, const Shape& shape, Vec2<F> u) {
-  return map_from_hemisphere(sample_cap(wo, shape, u), shape);
+  // The sum of two vectors that comes loses more than a product with floats.
+  auto a = narrowed(shape);
+  return map_from_hemisphere(sample_cap(stretch(wo, a), u), a);
 }
 
 }  // namespace VNDF_LANES_BUILD

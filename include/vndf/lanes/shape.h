@@ -7,6 +7,11 @@
 // GGX, the cosine of Walter's lune angle is Vh.z, and everything between eq. 5 and eq. 6 of Heitz 2018 carries over.
 // What is new is that Vh can be below the horizon for a view above it, and the other way round.
 //
+// The products A v are sums that can cancel, for views near the horizon of the leaning ellipsoid, or along the narrow
+// axis of a turned one; small alpha magnifies what is lost then. Hence A is given in two parts, T = Split<F>, where it
+// meets what the caller gives. The way back, A^T Nh, is as well conditioned as that of plain GGX and takes A as floats,
+// T = F: a shape is `narrowed` for it.
+//
 // Frames: Walter's disk is Heitz's turned, (x_a, y_a) = (t2, -t1). Here it is Heitz's everywhere.
 #pragma once
 
@@ -24,57 +29,86 @@ template <class F>
 VNDF_INLINE F dot(const Vec3<F>& a, const Vec3<F>& b) {
   return (a.x * b.x + a.y * b.y) + a.z * b.z;
 }
-
-/// A = ((xx, xy, 0), (yx, yy, 0), (0, 0, 1)): GGX whose axes are turned about n.
 template <class F>
+VNDF_INLINE Vec3<F> cross(const Vec3<F>& a, const Vec3<F>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// A = diag(alpha_x, alpha_y, 1) Rz: GGX whose axes are turned about n.
+template <class F, class T = Split<F>>
 struct Turned {
-  F xx, xy, yx, yy;
-  Vec2<F> det;  // two factors of |A| as large as the two alpha
+  Angle<T> theta_z;
+  Vec2<F> alpha;
 };
 
 /// A = ((xx, xy, 0), (yx, yy, 0), (zx, zy, 1)): any ellipsoid.
-template <class F>
+template <class F, class T = Split<F>>
 struct Tilted {
-  Turned<F> turned;
-  F zx, zy;
+  T xx, xy, yx, yy, zx, zy;
+  Vec2<F> det;  // two factors of |A| as large as the two alpha
 };
 
 // Functions of a shape take Vec2 where nothing says which, so that {alpha_x, alpha_y} is a shape.
 
-/// Whether (A v).z is v.z in a shape's formulas. Turned shapes go the way of tilted ones, so that they have their bits.
+/// Whether (A v).z is v.z.
 template <class Shape>
-constexpr bool kUpright = false;
+constexpr bool kUpright = true;
+template <class F, class T>
+constexpr bool kUpright<Tilted<F, T>> = false;
+
+/// A with elements of type T.
+template <class T, class F, class S>
+VNDF_INLINE Turned<F, T> as(const Turned<F, S>& a) {
+  return {{as<T>(a.theta_z.cos), as<T>(a.theta_z.sin)}, a.alpha};
+}
+template <class T, class F, class S>
+VNDF_INLINE Tilted<F, T> as(const Tilted<F, S>& a) {
+  return {as<T>(a.xx), as<T>(a.xy), as<T>(a.yx), as<T>(a.yy), as<T>(a.zx), as<T>(a.zy), a.det};
+}
+
 template <class F>
-constexpr bool kUpright<Vec2<F>> = true;
+VNDF_INLINE Vec2<F> narrowed(const Vec2<F>& alpha) {
+  return alpha;
+}
+template <class F, class T, template <class, class> class Shape>
+VNDF_INLINE Shape<F, F> narrowed(const Shape<F, T>& a) {
+  return as<F>(a);
+}
+
+/// Rz v, Walter et al. 2015, eq. 3.
+template <class F, class T>
+VNDF_INLINE Vec3<F> turn(const Vec3<F>& v, const Angle<T>& z) {
+  return {difference_of_products(z.cos, v.x, z.sin, v.y), sum_of_products(z.sin, v.x, z.cos, v.y), v.z};
+}
 
 /// A v, Heitz 2018, eq. 5.
 template <class F>
 VNDF_INLINE Vec3<F> stretch(const Vec3<F>& v, const Vec2<F>& alpha) {
   return {alpha.x * v.x, alpha.y * v.y, v.z};
 }
-template <class F>
-VNDF_INLINE Vec3<F> stretch(const Vec3<F>& v, const Turned<F>& a) {
-  return {a.xx * v.x + a.xy * v.y, a.yx * v.x + a.yy * v.y, v.z};
+template <class F, class T>
+VNDF_INLINE Vec3<F> stretch(const Vec3<F>& v, const Turned<F, T>& a) {
+  return stretch(turn(v, a.theta_z), a.alpha);
 }
-template <class F>
-VNDF_INLINE Vec3<F> stretch(const Vec3<F>& v, const Tilted<F>& a) {
-  Vec3<F> h = stretch(v, a.turned);
-  return {h.x, h.y, (a.zx * v.x + a.zy * v.y) + v.z};
+template <class F, class T>
+VNDF_INLINE Vec3<F> stretch(const Vec3<F>& v, const Tilted<F, T>& a) {
+  return {sum_of_products(a.xx, v.x, a.xy, v.y), sum_of_products(a.yx, v.x, a.yy, v.y),
+          sum_of_products(a.zx, v.x, a.zy, v.y, v.z)};
 }
 
 /// A^T v, eq. 6.
 template <class F>
 VNDF_INLINE Vec3<F> stretch_back(const Vec3<F>& v, const Vec2<F>& alpha) {
-  return {alpha.x * v.x, alpha.y * v.y, v.z};
+  return stretch(v, alpha);
 }
 template <class F>
-VNDF_INLINE Vec3<F> stretch_back(const Vec3<F>& v, const Turned<F>& a) {
-  return {a.xx * v.x + a.yx * v.y, a.xy * v.x + a.yy * v.y, v.z};
+VNDF_INLINE Vec3<F> stretch_back(const Vec3<F>& v, const Turned<F, F>& a) {
+  Vec3<F> p = stretch(v, a.alpha);
+  return {a.theta_z.cos * p.x + a.theta_z.sin * p.y, a.theta_z.cos * p.y - a.theta_z.sin * p.x, p.z};
 }
 template <class F>
-VNDF_INLINE Vec3<F> stretch_back(const Vec3<F>& v, const Tilted<F>& a) {
-  Vec3<F> p = stretch_back(v, a.turned);
-  return {p.x + a.zx * v.z, p.y + a.zy * v.z, v.z};
+VNDF_INLINE Vec3<F> stretch_back(const Vec3<F>& v, const Tilted<F, F>& a) {
+  return {(a.xx * v.x + a.yx * v.y) + a.zx * v.z, (a.xy * v.x + a.yy * v.y) + a.zy * v.z, v.z};
 }
 
 /// Two factors of |A|.
@@ -82,13 +116,13 @@ template <class F>
 VNDF_INLINE Vec2<F> factors_of_determinant(const Vec2<F>& alpha) {
   return alpha;
 }
-template <class F>
-VNDF_INLINE Vec2<F> factors_of_determinant(const Turned<F>& a) {
-  return a.det;
+template <class F, class T>
+VNDF_INLINE Vec2<F> factors_of_determinant(const Turned<F, T>& a) {
+  return a.alpha;
 }
-template <class F>
-VNDF_INLINE Vec2<F> factors_of_determinant(const Tilted<F>& a) {
-  return a.turned.det;
+template <class F, class T>
+VNDF_INLINE Vec2<F> factors_of_determinant(const Tilted<F, T>& a) {
+  return a.det;
 }
 
 /// a A^-T v for |A| = a b.
@@ -112,62 +146,76 @@ VNDF_INLINE Unstretched<F> unstretch(const Vec3<F>& v, const Vec2<F>& alpha) {
   F ratio = alpha_x / evaluated_alpha(alpha.y);
   return {{v.x, v.y * ratio, v.z * alpha_x}, alpha_x, ratio};
 }
-template <class F>
-VNDF_INLINE Unstretched<F> unstretch(const Vec3<F>& v, const Turned<F>& a) {
-  F inv = F(1.f) / a.det.y;
-  return {{(a.yy * v.x - a.yx * v.y) * inv, (a.xx * v.y - a.xy * v.x) * inv, v.z * a.det.x}, a.det.x, a.det.x * inv};
+template <class F, class T>
+VNDF_INLINE Unstretched<F> unstretch(const Vec3<F>& v, const Turned<F, T>& a) {
+  return unstretch(turn(v, a.theta_z), a.alpha);
 }
-template <class F>
-VNDF_INLINE Unstretched<F> unstretch(const Vec3<F>& v, const Tilted<F>& a) {
-  return unstretch<F>({v.x - a.zx * v.z, v.y - a.zy * v.z, v.z}, a.turned);
+/// A^-T v = diag(1 / a, 1 / b, 1) v', the vector of plain GGX whose alpha is (a, b).
+template <class F, class T>
+VNDF_INLINE Unstretched<F> unstretch(const Vec3<F>& v, const Tilted<F, T>& a) {
+  using W = Wide<F>;
+  auto m = as<W>(a);
+  W z = as<W>(v.z), det_x = as<W>(a.det.x), det_y = as<W>(a.det.y);
+  W x = as<W>(v.x) - m.zx * z, y = as<W>(v.y) - m.zy * z;
+  W inv = W(1) / (det_x * det_y);
+  return unstretch<F>(
+      {op::narrow((m.yy * x - m.yx * y) * (inv * det_x)), op::narrow((m.xx * y - m.xy * x) * (inv * det_y)), v.z},
+      a.det);
 }
 
 /// S Rz(theta_z), Walter et al. 2015, eq. 2-3 with theta_x = theta_y = 0.
 template <class F>
 VNDF_INLINE Turned<F> turned_shape(const Vec2<F>& alpha, F theta_z) {
-  auto z = angle_of(theta_z);
-  return {alpha.x * z.cos, F(0.f) - alpha.x * z.sin, alpha.y * z.sin, alpha.y * z.cos, alpha};
+  return {angle_of(theta_z), alpha};
+}
+
+/// Q A / |A n| for the columns a1, a2, a3 = A n of A.
+///
+/// What is left of a1 and a2 when their share of a3 is taken off is a1 x a3 and a2 x a3 turned by a quarter about a3. Q
+/// turns t = a3 / |a3| to z by the shortest way, and by a half turn about x before where t is below the horizon. For
+/// theta = 0 the result is A, exactly.
+template <class F>
+struct Reduced {
+  Wide<F> xx, xy, yx, yy, zx, zy;
+};
+template <class F, class W = Wide<F>>
+VNDF_INLINE Reduced<F> reduce(const Vec3<W>& a1, const Vec3<W>& a2, const Vec3<W>& a3) {
+  W inv = W(1) / op::sqrt(dot(a3, a3));
+  W inv2 = inv * inv;
+  // The half turn mirrors y and z.
+  W sign = op::with_sign_of(W(1), a3.z);
+  Vec3<W> t = {a3.x * inv, (a3.y * sign) * inv, (a3.z * sign) * inv};
+  Vec3<W> c1 = cross(a1, a3);
+  Vec3<W> c2 = cross(a2, a3);
+  W s = sign / (W(1) + t.z);
+  W lean1 = c1.z * s;
+  W lean2 = c2.z * s;
+  return {(t.y * lean1 - c1.y * sign) * inv2,
+          (t.y * lean2 - c2.y * sign) * inv2,
+          (c1.x - t.x * lean1) * inv2,
+          (c2.x - t.x * lean2) * inv2,
+          dot(a1, a3) * inv2,
+          dot(a2, a3) * inv2};
+}
+template <class F>
+VNDF_INLINE Tilted<F> tilted_shape(const Reduced<F>& a, const Vec2<F>& det) {
+  return {split<F>(a.xx), split<F>(a.xy), split<F>(a.yx), split<F>(a.yy), split<F>(a.zx), split<F>(a.zy), det};
 }
 
 /// S Rx(theta_x) Ry(theta_y) Rz(theta_z), eq. 2-3.
-///
-/// With r1, r2, r3 the columns of R, a1 x a3 = S r1 x S r3 = -|S| S^-1 r2 and a2 x a3 = |S| S^-1 r1: what is left of a1
-/// and a2 when their share of a3 is taken off, turned by a quarter about a3, without a difference. Q turns t = a3 /
-/// |a3| to z by the shortest way, and by a half turn about x before where t is below the horizon. For theta = 0 the
-/// result is A, exactly.
 template <class F>
 VNDF_INLINE Tilted<F> tilted_shape(const Vec2<F>& alpha, F theta_x, F theta_y, F theta_z) {
-  auto x = angle_of(theta_x);
-  auto y = angle_of(theta_y);
-  auto z = angle_of(theta_z);
-  F sc = x.sin * y.sin;
-  F cs = x.cos * y.sin;
-  Vec3<F> r1 = {y.cos * z.cos, x.cos * z.sin + sc * z.cos, x.sin * z.sin - cs * z.cos};
-  Vec3<F> r2 = {F(0.f) - y.cos * z.sin, x.cos * z.cos - sc * z.sin, x.sin * z.cos + cs * z.sin};
-  Vec3<F> r3 = {y.sin, F(0.f) - x.sin * y.cos, x.cos * y.cos};
-
-  Vec3<F> a1 = stretch(r1, alpha);
-  Vec3<F> a2 = stretch(r2, alpha);
-  Vec3<F> a3 = stretch(r3, alpha);
-  F inv = F(1.f) / op::sqrt(dot(a3, a3));
-  F inv2 = inv * inv;
-  // With y and z mirrored, a half turn about x, where that is needed.
-  F t_y = a3.y * inv;
-  auto below = a3.z < F(0.f);
-  Vec3<F> t = {a3.x * inv, op::select(below, F(0.f) - t_y, t_y), op::abs(a3.z * inv)};
-  F alpha_x = op::select(below, F(0.f) - alpha.x, alpha.x);
-
-  F area = alpha_x * alpha.y;
-  F s = F(1.f) / (F(1.f) + t.z);
-  F lean1 = (area * r2.z) * s;
-  F lean2 = (area * r1.z) * s;
-  return {{(alpha_x * r2.y - t.y * lean1) * inv2,
-           (t.y * lean2 - alpha_x * r1.y) * inv2,
-           (t.x * lean1 - alpha.y * r2.x) * inv2,
-           (alpha.y * r1.x - t.x * lean2) * inv2,
-           {alpha.x * inv, alpha.y * inv2}},
-          dot(a1, a3) * inv2,
-          dot(a2, a3) * inv2};
+  using W = Wide<F>;
+  auto wide = [](const Angle<Split<F>>& angle) { return Angle<W>{as<W>(angle.cos), as<W>(angle.sin)}; };
+  auto x = wide(angle_of(theta_x)), y = wide(angle_of(theta_y)), z = wide(angle_of(theta_z));
+  W alpha_x = op::widen(alpha.x), alpha_y = op::widen(alpha.y);
+  W sc = x.sin * y.sin;
+  W cs = x.cos * y.sin;
+  Vec3<W> a1 = {alpha_x * (y.cos * z.cos), alpha_y * (x.cos * z.sin + sc * z.cos), x.sin * z.sin - cs * z.cos};
+  Vec3<W> a2 = {W(0) - alpha_x * (y.cos * z.sin), alpha_y * (x.cos * z.cos - sc * z.sin), x.sin * z.cos + cs * z.sin};
+  Vec3<W> a3 = {alpha_x * y.sin, W(0) - alpha_y * (x.sin * y.cos), x.cos * y.cos};
+  F inv = op::narrow(W(1) / op::sqrt(dot(a3, a3)));
+  return tilted_shape<F>(reduce<F>(a1, a2, a3), {alpha.x * inv, (alpha.y * inv) * inv});
 }
 
 }  // namespace VNDF_LANES_BUILD

@@ -2,9 +2,9 @@
 // xsimd::batch<float, Arch>, xsimd 8.1 to 14.
 //
 // The arithmetic contract: + - * / sqrt, comparisons, selection and bit operations on IEEE binary32, rounded to
-// nearest. All of them are exactly rounded, so a batch lane and a float give the same bits on every instruction set.
-// There is no fused multiply-add, no approximate reciprocal and no call into a mathematics library, and there must not
-// be.
+// nearest, and where a sum of products may cancel, + - * / sqrt on binary64 and the conversions. All of them are
+// exactly rounded, so a batch lane and a float give the same bits on every instruction set. There is no fused
+// multiply-add, no approximate reciprocal and no call into a mathematics library, and there must not be.
 #pragma once
 
 #ifdef __FAST_MATH__
@@ -35,22 +35,42 @@
 namespace vndf::lanes {
 inline namespace VNDF_LANES_BUILD {
 
+/// As many doubles as a batch has floats.
+template <class Arch>
+struct Doubles {
+  xsimd::batch<double, Arch> low, high;
+
+  Doubles() = default;
+  VNDF_INLINE explicit Doubles(double value) : low(value), high(value) {}
+  VNDF_INLINE Doubles(xsimd::batch<double, Arch> low_, xsimd::batch<double, Arch> high_) : low(low_), high(high_) {}
+
+  friend VNDF_INLINE Doubles operator+(const Doubles& a, const Doubles& b) { return {a.low + b.low, a.high + b.high}; }
+  friend VNDF_INLINE Doubles operator-(const Doubles& a, const Doubles& b) { return {a.low - b.low, a.high - b.high}; }
+  friend VNDF_INLINE Doubles operator*(const Doubles& a, const Doubles& b) { return {a.low * b.low, a.high * b.high}; }
+  friend VNDF_INLINE Doubles operator/(const Doubles& a, const Doubles& b) { return {a.low / b.low, a.high / b.high}; }
+};
+
 template <class F>
 struct LaneTypes;
 template <>
 struct LaneTypes<float> {
   using Int = std::int32_t;
   using Mask = bool;
+  using Wide = double;
 };
 template <class Arch>
 struct LaneTypes<xsimd::batch<float, Arch>> {
   using Int = xsimd::batch<std::int32_t, Arch>;
   using Mask = xsimd::batch_bool<float, Arch>;
+  using Wide = Doubles<Arch>;
 };
 template <class F>
 using Int = typename LaneTypes<F>::Int;
 template <class F>
 using Mask = typename LaneTypes<F>::Mask;
+/// double, lane for lane.
+template <class F>
+using Wide = typename LaneTypes<F>::Wide;
 
 template <class F>
 constexpr std::size_t kWidth = sizeof(F) / sizeof(float);
@@ -131,6 +151,76 @@ VNDF_INLINE F abs(F a) {
 template <class F>
 VNDF_INLINE F with_sign_of(F magnitude, F sign) {
   return from_bits(bits(magnitude) | (bits(sign) & Int<F>(INT32_MIN)));
+}
+
+VNDF_INLINE double sqrt(double a) {
+  return __builtin_sqrt(a);
+}
+VNDF_INLINE double with_sign_of(double magnitude, double sign) {
+  return __builtin_copysign(magnitude, sign);
+}
+template <class Arch>
+VNDF_INLINE Doubles<Arch> sqrt(const Doubles<Arch>& a) {
+  return {xsimd::sqrt(a.low), xsimd::sqrt(a.high)};
+}
+template <class Arch>
+VNDF_INLINE Doubles<Arch> with_sign_of(const Doubles<Arch>& magnitude, const Doubles<Arch>& sign) {
+  return {magnitude.low | xsimd::bitofsign(sign.low), magnitude.high | xsimd::bitofsign(sign.high)};
+}
+
+/// Exact.
+VNDF_INLINE double widen(float a) {
+  return a;
+}
+/// Rounded to nearest.
+VNDF_INLINE float narrow(double a) {
+  return static_cast<float>(a);
+}
+template <class Arch>
+VNDF_INLINE Doubles<Arch> widen(Batch<Arch> a) {
+#if defined(__AVX512F__)
+  if constexpr (kWidth<Batch<Arch>> == 16) {
+    __m512d halves = _mm512_castps_pd(a);
+    return {_mm512_cvtps_pd(_mm512_castps512_ps256(a)),
+            _mm512_cvtps_pd(_mm256_castpd_ps(_mm512_extractf64x4_pd(halves, 1)))};
+  }
+#endif
+#if defined(__AVX__)
+  if constexpr (kWidth<Batch<Arch>> == 8)
+    return {_mm256_cvtps_pd(_mm256_castps256_ps128(a)), _mm256_cvtps_pd(_mm256_extractf128_ps(a, 1))};
+#endif
+#if defined(__SSE2__)
+  if constexpr (kWidth<Batch<Arch>> == 4) return {_mm_cvtps_pd(a), _mm_cvtps_pd(_mm_movehl_ps(a, a))};
+#endif
+  constexpr std::size_t kLanes = kWidth<Batch<Arch>>;
+  alignas(64) float from[kLanes];
+  alignas(64) double to[kLanes];
+  a.store_aligned(from);
+  for (std::size_t i = 0; i < kLanes; ++i) to[i] = from[i];
+  using D = xsimd::batch<double, Arch>;
+  return {D::load_aligned(to), D::load_aligned(to + kLanes / 2)};
+}
+template <class Arch>
+VNDF_INLINE Batch<Arch> narrow(const Doubles<Arch>& a) {
+#if defined(__AVX512F__)
+  if constexpr (kWidth<Batch<Arch>> == 16)
+    return _mm512_castpd_ps(_mm512_insertf64x4(_mm512_castps_pd(_mm512_castps256_ps512(_mm512_cvtpd_ps(a.low))),
+                                               _mm256_castps_pd(_mm512_cvtpd_ps(a.high)), 1));
+#endif
+#if defined(__AVX__)
+  if constexpr (kWidth<Batch<Arch>> == 8)
+    return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm256_cvtpd_ps(a.low)), _mm256_cvtpd_ps(a.high), 1);
+#endif
+#if defined(__SSE2__)
+  if constexpr (kWidth<Batch<Arch>> == 4) return _mm_movelh_ps(_mm_cvtpd_ps(a.low), _mm_cvtpd_ps(a.high));
+#endif
+  constexpr std::size_t kLanes = kWidth<Batch<Arch>>;
+  alignas(64) double from[kLanes];
+  alignas(64) float to[kLanes];
+  a.low.store_aligned(from);
+  a.high.store_aligned(from + kLanes / 2);
+  for (std::size_t i = 0; i < kLanes; ++i) to[i] = static_cast<float>(from[i]);
+  return Batch<Arch>::load_aligned(to);
 }
 
 template <class F>

@@ -91,10 +91,9 @@ VNDF_INLINE Vec3<F> on_cap(const CapView<F>& view, const Cap<F>& cap, F r2, F e,
   return {radius * phi.cos + view.x, radius * phi.sin + view.y, z};
 }
 
-/// Dupuy and Benyoub 2023, Listing 3, from u1 for the azimuth and u2 for the height of c.
-template <class F, class Shape = Vec2<F>>
-VNDF_INLINE Vec3<F> sample_cap(Vec3<F> wo, const Shape& shape, Vec2<F> u) {
-  Vec3<F> h = stretch(wo, shape);
+/// Dupuy and Benyoub 2023, Listing 3, from h = A V, u1 for the azimuth and u2 for the height of c.
+template <class F>
+VNDF_INLINE Vec3<F> sample_cap(const Vec3<F>& h, Vec2<F> u) {
   auto view = map_to_cap(h, cap_scale(h));
   return on_cap(view, visible_cap(view, h.z), u.y, F(1.f) - u.y, sincos2pi(u.x));
 }

@@ -1,0 +1,95 @@
+// Floats in two parts, for sums of products that may cancel: the products of the first parts are exact, and what is
+// left is so small that its rounding does not matter. Costs a third of doing the same in doubles.
+#pragma once
+
+#include <vndf/lanes/simd.h>
+#include <type_traits>
+
+namespace vndf::lanes {
+inline namespace VNDF_LANES_BUILD {
+
+/// high + low, with 12 significant bits in `high`.
+template <class F>
+struct Split {
+  F high, low;
+};
+
+template <class F>
+VNDF_INLINE F first_bits(F a) {
+  return op::from_bits(op::bits(a) & Int<F>(std::int32_t(0xfffff000u)));
+}
+
+/// a, exactly.
+template <class F>
+VNDF_INLINE Split<F> split(F a) {
+  F high = first_bits(a);
+  return {high, a - high};
+}
+/// a, which has more digits than a float, to 36 bits.
+template <class F>
+VNDF_INLINE Split<F> split(const Wide<F>& a) {
+  F high = first_bits(op::narrow(a));
+  return {high, op::narrow(a - op::widen(high))};
+}
+
+/// The same value as another type: a float, a Split, or a double of each.
+template <class T, class F>
+VNDF_INLINE T as(F a) {
+  if constexpr (std::is_same_v<T, Wide<F>>)
+    return op::widen(a);
+  else
+    return a;
+}
+template <class T, class F>
+VNDF_INLINE T as(const Split<F>& a) {
+  if constexpr (std::is_same_v<T, Wide<F>>)
+    return op::widen(a.high) + op::widen(a.low);
+  else if constexpr (std::is_same_v<T, F>)
+    return a.high + a.low;
+  else
+    return a;
+}
+
+/// a x + b y.
+template <class F>
+VNDF_INLINE F sum_of_products(F a, F x, F b, F y) {
+  return a * x + b * y;
+}
+/// The same to 2^-34 of the larger product, and for x = 0 or y = 0 rounded but once.
+///
+/// Where the first sum is rounded it is not small.
+template <class F>
+VNDF_INLINE F sum_of_products(const Split<F>& a, F x, const Split<F>& b, F y) {
+  auto p = split(x), q = split(y);
+  return (a.high * p.high + b.high * q.high) + ((a.high * p.low + a.low * x) + (b.high * q.low + b.low * y));
+}
+
+/// a x - b y, with the same promise.
+template <class F>
+VNDF_INLINE F difference_of_products(F a, F x, F b, F y) {
+  return a * x - b * y;
+}
+template <class F>
+VNDF_INLINE F difference_of_products(const Split<F>& a, F x, const Split<F>& b, F y) {
+  auto p = split(x), q = split(y);
+  return (a.high * p.high - b.high * q.high) + ((a.high * p.low + a.low * x) - (b.high * q.low + b.low * y));
+}
+
+/// a x + b y + z.
+template <class F>
+VNDF_INLINE F sum_of_products(F a, F x, F b, F y, F z) {
+  return (a * x + b * y) + z;
+}
+/// The first sum can cancel with z, and its rounding error is kept (Knuth's two-sum).
+template <class F>
+VNDF_INLINE F sum_of_products(const Split<F>& a, F x, const Split<F>& b, F y, F z) {
+  auto p = split(x), q = split(y);
+  F one = a.high * p.high, other = b.high * q.high;
+  F sum = one + other;
+  F rest = sum - one;
+  F error = (one - (sum - rest)) + (other - rest);
+  return (sum + z) + (((a.high * p.low + a.low * x) + (b.high * q.low + b.low * y)) + error);
+}
+
+}  // namespace VNDF_LANES_BUILD
+}  // namespace vndf::lanes
