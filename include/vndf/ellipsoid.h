@@ -9,7 +9,8 @@
 namespace vndf {
 
 /// A = S R, eq. 2-3: S = diag(alpha_x, alpha_y, 1), R = Rx(theta_x) Ry(theta_y) Rz(theta_z), angles in radians. Columns
-/// or constants; which of them are constants changes the speed and no bit.
+/// or constants; which of them are constants changes the speed and no bit, but for the sign of zeros where theta_x and
+/// theta_y are the constant 0.
 ///  - all five constants: costs about as much as plain GGX.
 ///  - theta_x and theta_y the constant 0: axes of anisotropy that a texture turns, cheap too.
 ///  - else the matrix is worked out for each lane.
