@@ -19,11 +19,10 @@ using R = long double;
 constexpr double kEps = 0x1p-24;
 
 constexpr Parameters kShapes[] = {
-    {0.15f, 0.5f, 0, 0, 0.7f},
-    {0.3f, 0.6f, 0.3f, -0.2f, 0.5f},
-    {0.8f, 0.2f, 0.5f, 0.4f, -3.f},
-    {0.3f, 0.2f, 1.f, -0.8f, 1.f},
+    {0.15f, 0.5f, 0, 0, 0.7f},     {0.3f, 0.6f, 0.3f, -0.2f, 0.5f}, {0.8f, 0.2f, 0.5f, 0.4f, -3.f},
+    {0.3f, 0.2f, 1.f, -0.8f, 1.f}, {0.01f, 0.03f, 0.2f, 0.1f, 2.f},
 };
+constexpr std::size_t kRough = 4;  // of these; the last is too sharp for the sphere's grid
 constexpr float kEtas[] = {1.5f, 1 / 1.5f, 1.05f, 2.4f};
 struct View {
   float x, y, z;
@@ -267,10 +266,11 @@ TEST(Dielectric, HasTheDensityAndTheEnergyThatItStates) {
   constexpr std::size_t kSamples = std::size_t(1) << 18;
   Numbers u(kSamples, 10);
   Sphere sphere;
-  double tests = double(std::size(kViews) * std::size(kShapes) * 2 * 3), least = 1;
+  double tests = double(std::size(kViews) * kRough * 2 * 3), least = 1;
   for (const View& v : kViews)
-    for (const Parameters& p : kShapes)
+    for (std::size_t shape = 0; shape < kRough; ++shape)
       for (float eta : {1.5f, 1 / 2.4f}) {
+        const Parameters& p = kShapes[shape];
         evaluate_dielectric(Sphere::kCount, v.in(), sphere.wi.in(), p.ellipsoid(), eta, sphere.value.out());
         Sphere::Stated stated = sphere.stated(kSamples);
         EXPECT_LE(stated.all, 1 + 1e-3);
