@@ -168,6 +168,28 @@ void pdf_normals(std::size_t count, const Columns3& wo, const Columns3& wm, cons
                 [&](const auto& kernels, const auto& shape) { kernels.pdf_normals(count, wo, wm, shape, pdf); });
 }
 
+void sample_dielectric(Warp warp, std::size_t count, const Columns3& wo, const Shape& shape, const Column& eta,
+                       const Columns3& u, const DielectricSamples& out) noexcept {
+  active().kernels->one_shape.sample_dielectric[static_cast<int>(warp)](count, wo, shape, eta, u, out);
+}
+void sample_dielectric(Warp warp, std::size_t count, const Columns3& wo, const Ellipsoid& ellipsoid, const Column& eta,
+                       const Columns3& u, const DielectricSamples& out) noexcept {
+  with_cheapest(ellipsoid, [&](const auto& kernels, const auto& shape) {
+    kernels.sample_dielectric[static_cast<int>(warp)](count, wo, shape, eta, u, out);
+  });
+}
+
+void evaluate_dielectric(std::size_t count, const Columns3& wo, const Columns3& wi, const Shape& shape,
+                         const Column& eta, const Evaluations& out) noexcept {
+  active().kernels->one_shape.evaluate_dielectric(count, wo, wi, shape, eta, out);
+}
+void evaluate_dielectric(std::size_t count, const Columns3& wo, const Columns3& wi, const Ellipsoid& ellipsoid,
+                         const Column& eta, const Evaluations& out) noexcept {
+  with_cheapest(ellipsoid, [&](const auto& kernels, const auto& shape) {
+    kernels.evaluate_dielectric(count, wo, wi, shape, eta, out);
+  });
+}
+
 Isas isas() noexcept {
   struct List {
     Isa rows[kCount];

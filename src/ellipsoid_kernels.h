@@ -88,6 +88,24 @@ void evaluate_reflection_of(std::size_t count, const Columns3& wo, const Columns
       count, {&wo.x, &wo.y, &wo.z, &wi.x, &wi.y, &wi.z, &alpha.x, &alpha.y}, shape, {out.f_cos, out.pdf});
 }
 
+template <class Kind, Warp warp, class S>
+void sample_dielectric_of(std::size_t count, const Columns3& wo, const S& shape, const Column& eta, const Columns3& u,
+                          const DielectricSamples& out) noexcept {
+  const Columns2& alpha = Kind::alpha(shape);
+  Kind::template run<
+      DielectricKernel<warp, lanes::Lunes, typename Kind::template Shapes<3, 9, kShadingBlock, Elements<warp>>>>(
+      count, {&wo.x, &wo.y, &wo.z, &alpha.x, &alpha.y, &u.x, &u.y, &eta, &u.z}, shape,
+      {out.wi.x, out.wi.y, out.wi.z, out.pdf, out.weight, out.side});
+}
+
+template <class Kind, class S>
+void evaluate_dielectric_of(std::size_t count, const Columns3& wo, const Columns3& wi, const S& shape,
+                            const Column& eta, const Evaluations& out) noexcept {
+  const Columns2& alpha = Kind::alpha(shape);
+  Kind::template run<DielectricEvaluation<lanes::Lunes, typename Kind::template Shapes<6, 9, kWidth, lanes::Split<F>>>>(
+      count, {&wo.x, &wo.y, &wo.z, &wi.x, &wi.y, &wi.z, &alpha.x, &alpha.y, &eta}, shape, {out.f_cos, out.pdf});
+}
+
 template <class Kind, class S>
 void pdf_normals_of(std::size_t count, const Columns3& wo, const Columns3& wm, const S& shape, float* pdf) noexcept {
   const Columns2& alpha = Kind::alpha(shape);
@@ -102,7 +120,10 @@ void pdf_normals_of(std::size_t count, const Columns3& wo, const Columns3& wm, c
      ::sample_normals_of<kind, Warp::spherical_cap, S>},                                                  \
         {::sample_reflection_of<kind, Warp::polar, S>, ::sample_reflection_of<kind, Warp::concentric, S>, \
          ::sample_reflection_of<kind, Warp::spherical_cap, S>},                                           \
-        ::evaluate_reflection_of<kind, S>, ::pdf_normals_of<kind, S>                                      \
+        ::evaluate_reflection_of<kind, S>, ::pdf_normals_of<kind, S>,                                     \
+        {::sample_dielectric_of<kind, Warp::polar, S>, ::sample_dielectric_of<kind, Warp::concentric, S>, \
+         ::sample_dielectric_of<kind, Warp::spherical_cap, S>},                                           \
+        ::evaluate_dielectric_of<kind, S>                                                                 \
   }
 
 }  // namespace

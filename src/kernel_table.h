@@ -16,6 +16,11 @@ struct ShapeKernels {
   void (*evaluate_reflection)(std::size_t count, const Columns3& wo, const Columns3& wi, const S& shape,
                               const Evaluations& out) noexcept;
   void (*pdf_normals)(std::size_t count, const Columns3& wo, const Columns3& wm, const S& shape, float* pdf) noexcept;
+  // [warp]
+  void (*sample_dielectric[3])(std::size_t count, const Columns3& wo, const S& shape, const Column& eta,
+                               const Columns3& u, const DielectricSamples& out) noexcept;
+  void (*evaluate_dielectric)(std::size_t count, const Columns3& wo, const Columns3& wi, const S& shape,
+                              const Column& eta, const Evaluations& out) noexcept;
 };
 
 struct KernelTable {

@@ -242,23 +242,25 @@ void pdf_normals(std::size_t count, const Columns3& wo, const Columns3& wm, cons
   for_each_block<8, 1>(count, {&wo.x, &wo.y, &wo.z, &wm.x, &wm.y, &wm.z, &alpha.x, &alpha.y}, {pdf}, kernel);
 }
 
-template <Warp warp, Masking masking>
+template <Warp warp, class Masked, class Shapes = AlphaColumns<3>>
 class DielectricKernel {
  public:
-  VNDF_INLINE void operator()(const Inputs<9>& in, const Outputs<6>& out, std::size_t begin, std::size_t end) {
+  Shapes shapes;
+
+  template <std::size_t N>
+  VNDF_INLINE void operator()(const Inputs<N>& in, const Outputs<6>& out, std::size_t begin, std::size_t end) {
     for (std::size_t to; begin < end; begin = to) {
       to = end_of_half(begin, end);
-      AlphaColumns<3> shapes;
       shapes.prepare(in, begin, to);
       facets_.sample(in, shapes, begin, to);
       for (std::size_t i = begin; i < to; i += kWidth) {
-        in.prefetch<3, 4, 7, 8>(i);
+        in.template prefetch<3, 4, 7, 8>(i);
         Vec3<F> wo = load_wo(in, i);
         auto below = wo.z < F(0.f);
         wo = lanes::turned(below, wo);
         auto sample =
-            lanes::sample_dielectric<MaskingOf<masking>>(wo, AlphaColumns<3>::at(in, i), facets_.load(i, wo.z),
-                                                         lanes::turned_eta(below, in.load<7>(i)), in.load<8>(i));
+            lanes::sample_dielectric<Masked>(wo, shapes.load(in, i), facets_.load(i, wo.z),
+                                             lanes::turned_eta(below, in.template load<7>(i)), in.template load<8>(i));
         Vec3<F> wi = lanes::turned(below, sample.wi);
         out.store<0>(i, wi.x);
         out.store<1>(i, wi.y);
@@ -271,27 +273,30 @@ class DielectricKernel {
   }
 
  private:
-  Facets<warp, false, TurnedUp> facets_;
+  Facets<warp, false, TurnedUp, Shapes> facets_;
 };
 
 template <Warp warp, Masking masking>
 void sample_dielectric(std::size_t count, const Columns3& wo, const Columns2& alpha, const Column& eta,
                        const Columns3& u, const DielectricSamples& out) noexcept {
-  DielectricKernel<warp, masking> kernel;
+  DielectricKernel<warp, MaskingOf<masking>> kernel;
   for_each_block<9, 6>(count, {&wo.x, &wo.y, &wo.z, &alpha.x, &alpha.y, &u.x, &u.y, &eta, &u.z},
                        {out.wi.x, out.wi.y, out.wi.z, out.pdf, out.weight, out.side}, kernel);
 }
 
-template <Masking masking>
+template <class Masked, class Shapes = AlphaColumns<6>>
 struct DielectricEvaluation {
-  VNDF_INLINE void operator()(const Inputs<9>& in, const Outputs<2>& out, std::size_t begin, std::size_t end) {
+  Shapes shapes;
+
+  template <std::size_t N>
+  VNDF_INLINE void operator()(const Inputs<N>& in, const Outputs<2>& out, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; i += kWidth) {
-      Vec3<F> wo = {in.load<0>(i), in.load<1>(i), in.load<2>(i)};
-      Vec3<F> wi = {in.load<3>(i), in.load<4>(i), in.load<5>(i)};
+      shapes.prepare(in, i, i + kWidth);
+      Vec3<F> wo = load_wo(in, i);
       auto below = wo.z < F(0.f);
-      auto value = lanes::evaluate_dielectric<MaskingOf<masking>>(lanes::turned(below, wo), lanes::turned(below, wi),
-                                                                  {in.load<6>(i), in.load<7>(i)},
-                                                                  lanes::turned_eta(below, in.load<8>(i)));
+      auto value =
+          lanes::evaluate_dielectric<Masked>(lanes::turned(below, wo), lanes::turned(below, load_second(in, i)),
+                                             shapes.at(in, i), lanes::turned_eta(below, in.template load<8>(i)));
       out.store<0>(i, value.f_cos);
       out.store<1>(i, value.pdf);
     }
@@ -301,7 +306,7 @@ struct DielectricEvaluation {
 template <Masking masking>
 void evaluate_dielectric(std::size_t count, const Columns3& wo, const Columns3& wi, const Columns2& alpha,
                          const Column& eta, const Evaluations& out) noexcept {
-  DielectricEvaluation<masking> kernel;
+  DielectricEvaluation<MaskingOf<masking>> kernel;
   for_each_block<9, 2>(count, {&wo.x, &wo.y, &wo.z, &wi.x, &wi.y, &wi.z, &alpha.x, &alpha.y, &eta},
                        {out.f_cos, out.pdf}, kernel);
 }

@@ -10,7 +10,7 @@
 
 #include "reference/errors.h"
 #include "reference/random.h"
-#include "shading/statistics.h"
+#include "shading/sphere.h"
 
 namespace vndf::shading {
 namespace {
@@ -29,19 +29,6 @@ constexpr View kViews[] = {{0.f, 0.f, 1.f},
                            {0.6f, -0.36f, -0.71442284f},
                            {-0.8f, 0.5723635f, -0.18f}};
 constexpr Alpha<float> kAlphas[] = {{0.3f, 0.3f}, {0.7f, 0.7f}, {0.2f, 0.6f}};
-
-struct Numbers {
-  std::vector<float> a, b, c;
-  Numbers(std::size_t count, std::uint64_t seed) : a(count), b(count), c(count) {
-    for (std::size_t i = 0; i < count; ++i) {
-      Random random(seed, i);
-      a[i] = random.unit();
-      b[i] = random.unit();
-      c[i] = random.unit();
-    }
-  }
-  Columns3 in() const { return {a.data(), b.data(), c.data()}; }
-};
 
 // Relative accuracy of both shares, for eta from 0.3 to 3 and close to 1. Near the angle of total reflection the
 // transmitted share is as ill-conditioned as g, near Brewster's angle rp alone vanishes, and rs does not.
@@ -166,39 +153,6 @@ TEST(Dielectric, SampleAgreesWithEvaluate) {
   std::printf("densities agree within %.2f eps (4 + 2 / alpha) (1 + 1 / g) / (|h| wo.wm |wi.wm|)\n", worst);
 }
 
-/// The sphere in equal angles, with what evaluate_dielectric gives. The density of refraction jumps where wm is
-/// horizontal, close to the horizon: the polar angle is what needs a fine grid.
-constexpr int kBands = 24, kTurns = 24, kSubBands = 256, kSubTurns = 16;
-struct Sphere {
-  static constexpr std::size_t kCount = std::size_t(kBands) * kSubBands * kTurns * kSubTurns;
-  Directions wi{kCount};
-  Values value{kCount};
-  std::vector<double> solid_angle = std::vector<double>(kCount);
-
-  Sphere() {
-    for (int i = 0; i < kBands * kSubBands; ++i)
-      for (int j = 0; j < kTurns * kSubTurns; ++j) {
-        double theta = kPi<double> * (i + 0.5) / (kBands * kSubBands);
-        double phi = 2 * kPi<double> * (j + 0.5) / (kTurns * kSubTurns), s = std::sin(theta);
-        auto at = std::size_t(i) * kTurns * kSubTurns + std::size_t(j);
-        wi.set(at, V3<double>{s * std::cos(phi), s * std::sin(phi), std::cos(theta)});
-        solid_angle[at] = s * kPi<double> / (kBands * kSubBands) * 2 * kPi<double> / (kTurns * kSubTurns);
-      }
-  }
-  void evaluate(const View& v, const Alpha<float>& alpha, float eta, Masking masking) {
-    evaluate_dielectric(kCount, {v.x, v.y, v.z}, wi.in(), {alpha.x, alpha.y}, eta, value.out(), masking);
-  }
-  static std::size_t bin(std::size_t at) {
-    return at / (kTurns * kSubTurns) / kSubBands * kTurns + at % (kTurns * kSubTurns) / kSubTurns;
-  }
-  static std::size_t bin(const V3<double>& d) {
-    double phi = std::atan2(d.y, d.x);
-    if (phi < 0) phi += 2 * kPi<double>;
-    int band = std::min(kBands - 1, int(std::atan2(std::hypot(d.x, d.y), d.z) / kPi<double> * kBands));
-    return std::size_t(band * kTurns + std::min(kTurns - 1, int(phi / (2 * kPi<double>)*kTurns)));
-  }
-};
-
 // wi on both sides, and the share that is lost, against the density that evaluate_dielectric states; and the mean
 // weight against the integral of f cos: energy is kept but for what masking loses.
 TEST(Dielectric, HasTheDensityAndTheEnergyThatItStates) {
@@ -210,37 +164,24 @@ TEST(Dielectric, HasTheDensityAndTheEnergyThatItStates) {
     for (const auto& alpha : kAlphas)
       for (float eta : {1.5f, 1 / 1.5f, 2.4f}) {
         Masking masking = alpha.x == 0.7f ? Masking::separable : Masking::height_correlated;
-        sphere.evaluate(v, alpha, eta, masking);
-        std::vector<double> expected(kBands * kTurns + 1);
-        double all = 0, energy = 0;
-        for (std::size_t i = 0; i < Sphere::kCount; ++i) {
-          expected[Sphere::bin(i)] += sphere.value.pdf[i] * sphere.solid_angle[i] * kSamples;
-          all += sphere.value.pdf[i] * sphere.solid_angle[i];
-          energy += sphere.value.f_cos[i] * sphere.solid_angle[i];
-        }
-        EXPECT_LE(all, 1 + 1e-3);
-        EXPECT_LE(energy, 1 + 1e-3);
-        expected.back() = std::max(0., 1 - all) * kSamples;
+        evaluate_dielectric(Sphere::kCount, {v.x, v.y, v.z}, sphere.wi.in(), {alpha.x, alpha.y}, eta,
+                            sphere.value.out(), masking);
+        Sphere::Stated stated = sphere.stated(kSamples);
+        EXPECT_LE(stated.all, 1 + 1e-3);
+        EXPECT_LE(stated.energy, 1 + 1e-3);
         for (int w = 0; w < 3; ++w) {
           Samples sample(kSamples);
           sample_dielectric(kWarps[w], kSamples, {v.x, v.y, v.z}, {alpha.x, alpha.y}, eta, u.in(), sample.dielectric(),
                             masking);
-          std::vector<double> counts(expected.size());
-          double sum = 0, squares = 0;
-          for (std::size_t i = 0; i < kSamples; ++i) {
-            ++counts[sample.pdf[i] > 0 ? Sphere::bin(sample.wi.at(i)) : counts.size() - 1];
-            sum += sample.weight[i];
-            squares += double(sample.weight[i]) * sample.weight[i];
-          }
-          double p = p_value(counts, expected);
+          Sphere::Found found = Sphere::found(sample);
+          double p = p_value(found.counts, stated.expected);
           least = std::min(least, p);
           EXPECT_GE(p, least_p_value(tests)) << kWarpNames[w] << " " << v.z << " alpha " << alpha.x << " eta " << eta;
-          double mean = sum / kSamples, sigma = std::sqrt(std::max(0., squares / kSamples - mean * mean) / kSamples);
-          EXPECT_NEAR(mean, energy, 4.7 * sigma + 1e-3);
+          EXPECT_NEAR(found.weight, stated.energy, 4.7 * found.sigma + 1e-3);
         }
         std::printf(
             "cos %5.2f, alpha %.1f, %.1f, eta %.2f: %.1f %% of the energy leaves, %.1f %% of samples are lost\n", v.z,
-            alpha.x, alpha.y, eta, 100 * energy, 100 * (1 - all));
+            alpha.x, alpha.y, eta, 100 * stated.energy, 100 * (1 - stated.all));
       }
   std::printf("least p of %g tests: %.3g\n", tests, least);
 }

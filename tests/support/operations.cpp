@@ -23,12 +23,6 @@ float from_bits(std::uint32_t bits) {
   std::memcpy(&value, &bits, sizeof value);
   return value;
 }
-std::uint32_t to_bits(float value) {
-  std::uint32_t bits;
-  std::memcpy(&bits, &value, sizeof bits);
-  return bits;
-}
-
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kLargest = std::numeric_limits<float>::max();
@@ -115,17 +109,9 @@ Table mixed_inputs(const Operation& operation, std::size_t count, std::uint64_t 
   return table;
 }
 
-std::vector<Column> columns(const Table& table, std::size_t from) {
-  std::vector<Column> result;
-  for (const auto& column : table) result.push_back(column.data() + from);
-  return result;
-}
-
 Table evaluate(const Operation& operation, const Table& in) {
   Table out(operation.outputs, std::vector<float>(in[0].size()));
-  std::vector<float*> results;
-  for (auto& column : out) results.push_back(column.data());
-  operation.run(in[0].size(), columns(in).data(), results.data());
+  operation.run(in[0].size(), columns(in).data(), results(out).data());
   return out;
 }
 
@@ -133,10 +119,6 @@ Table evaluate_on(const char* isa, const Operation& operation, const Table& in) 
   KeepIsa keep;
   EXPECT_EQ(set_isa(isa), IsaError::none) << isa;
   return evaluate(operation, in);
-}
-
-bool same_bits(float a, float b) {
-  return to_bits(a) == to_bits(b) || (std::isnan(a) && std::isnan(b));
 }
 
 ::testing::AssertionResult same_bits(const Table& expected, const Table& actual, const Table& in) {

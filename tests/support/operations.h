@@ -11,13 +11,11 @@
 #include <gtest/gtest.h>
 
 #include "reference/hard_cases.h"
+#include "support/bits.h"
 
 namespace vndf::testing {
 
-/// Columns of equal length. The inputs of sample_normals are wo x, y, z, alpha x, y, u x, y; those of sample_disk u x,
-/// y.
-using Table = std::vector<std::vector<float>>;
-
+/// The inputs of sample_normals are wo x, y, z, alpha x, y, u x, y; those of sample_disk u x, y.
 struct Operation {
   const char* name;
   std::size_t inputs, outputs;
@@ -37,31 +35,17 @@ Table random_bits(const Operation& operation, std::size_t count, std::uint64_t s
 /// All of the above, dealt in turn.
 Table mixed_inputs(const Operation& operation, std::size_t count, std::uint64_t seed);
 
-std::vector<Column> columns(const Table& table, std::size_t from = 0);
 /// On the set in use.
 Table evaluate(const Operation& operation, const Table& in);
 Table evaluate_on(const char* isa, const Operation& operation, const Table& in);
 
-/// Equal bits where not NaN, and NaN in the same places.
-bool same_bits(float a, float b);
+/// With the inputs of what differs.
 ::testing::AssertionResult same_bits(const Table& expected, const Table& actual, const Table& in);
 /// One row of the inputs, for people.
 std::string describe(const Table& in, std::size_t index);
 
 std::vector<std::string> isa_names();
 std::vector<std::string> supported_isa_names();
-
-/// Puts the set in use back at the end of a test.
-class KeepIsa {
- public:
-  KeepIsa() : name_(active_isa()) {}
-  ~KeepIsa() { (void)set_isa(name_.c_str()); }
-  KeepIsa(const KeepIsa&) = delete;
-  KeepIsa& operator=(const KeepIsa&) = delete;
-
- private:
-  std::string name_;
-};
 
 /// Tests that run for every operation on every set.
 class EveryOperation : public ::testing::TestWithParam<std::tuple<Operation, std::string>> {

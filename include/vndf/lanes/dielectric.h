@@ -54,6 +54,21 @@ VNDF_INLINE F refraction_weight(F wi_z, F length_i) {
   return at_most_one((wi_z + wi_z) / (wi_z + length_i));
 }
 
+/// The weight of a direction on the view's side or across, where G is that of wi turned to the view's side, Walter et
+/// al. 2015, eq. 7. Lunes do not tell the sides apart: theirs is the one of reflection for either.
+template <class Masking, class F, class Shape = Vec2<F>>
+VNDF_INLINE F dielectric_weight(Mask<F> reflects, F wo_z, F length, F area, const Vec3<F>& wi, const Shape& shape) {
+  if constexpr (std::is_base_of_v<ByLengths, Masking>) {
+    F length_i = stretched_length(wi, shape);
+    return op::select(reflects, Masking::weight(wo_z, length, area, wi.z, length_i),
+                      refraction_weight(F(0.f) - wi.z, length_i));
+  } else {
+    Vec3<F> up = {op::select(reflects, wi.x, F(0.f) - wi.x), op::select(reflects, wi.y, F(0.f) - wi.y),
+                  op::select(reflects, wi.z, F(0.f) - wi.z)};
+    return reflection_weight<Masking>(wo_z, length, area, up, shape);
+  }
+}
+
 /// A view from below sees the surface turned upside down: everything is mirrored in the origin, which leaves A as it
 /// is, and eta is that of the other way.
 template <class F>
@@ -75,10 +90,10 @@ struct DielectricSample {
 
 /// For a view that has been turned to the upper hemisphere, with its facet and eta: reflection where u is below
 /// Fresnel's share of it, else refraction, eta wi = (c - g) wm - wo.
-template <class Masking, class F>
-VNDF_INLINE DielectricSample<F> sample_dielectric(const Vec3<F>& wo, const Vec2<F>& alpha, const Facet<F>& facet, F eta,
+template <class Masking, class F, class Shape = Vec2<F>>
+VNDF_INLINE DielectricSample<F> sample_dielectric(const Vec3<F>& wo, const Shape& shape, const Facet<F>& facet, F eta,
                                                   F u) {
-  auto normal = normal_of(facet, alpha);
+  auto normal = normal_of(facet, shape);
   auto unit = unit_normal(facet, normal);
   auto f = fresnel(unit.cos, eta);
   auto reflects = u < op::select(f.transmitted > F(0.f), f.reflected, F(2.f));
@@ -89,36 +104,36 @@ VNDF_INLINE DielectricSample<F> sample_dielectric(const Vec3<F>& wo, const Vec2<
   Vec3<F> wi = {op::select(reflects, up.x, down.x), op::select(reflects, up.y, down.y),
                 op::select(reflects, up.z, down.z)};
   F height = op::select(reflects, wi.z, F(0.f) - wi.z);
-  F length = stretched_length(wi, alpha);
-  F pdf = F(kInv2Pi) / spread(facet, normal, alpha);
-  F weight = op::select(reflects, Masking::weight(wo.z, facet.length, facet.area, height, length),
-                        refraction_weight(height, length));
+  F pdf = F(kInv2Pi) / spread(facet, normal, shape);
+  F weight = dielectric_weight<Masking>(reflects, wo.z, facet.length, facet.area, wi, shape);
   pdf = op::select(reflects, pdf * f.reflected, (pdf * f.transmitted) * refraction_over_reflection(f, eta));
   return {wi, where_above(wo.z, height, pdf), where_above(wo.z, height, weight), op::select(reflects, F(1.f), F(-1.f))};
 }
 
 /// For a pair whose view has been turned to the upper hemisphere. The normal is that of wo + wi, or of wo + eta wi
 /// across the surface (eq. 13 and 16); the pair is impossible where either direction is at its back.
-template <class Masking, class F>
-VNDF_INLINE Evaluation<F> evaluate_dielectric(const Vec3<F>& wo, const Vec3<F>& wi, const Vec2<F>& alpha, F eta) {
-  auto across = wi.z < F(0.f);
-  F e = op::select(across, eta, F(1.f));
+template <class Masking, class F, class Shape = Vec2<F>>
+VNDF_INLINE Evaluation<F> evaluate_dielectric(const Vec3<F>& wo, const Vec3<F>& wi, const Shape& shape, F eta) {
+  auto reflects = wi.z >= F(0.f);
+  F e = op::select(reflects, F(1.f), eta);
   Vec3<F> h = {wo.x + e * wi.x, wo.y + e * wi.y, wo.z + e * wi.z};
   h = turned(h.z < F(0.f), h);
   F cos_o = dot(wo, h);
   F cos_i = dot(wi, h);
   auto f = fresnel(cos_o / op::sqrt(dot(h, h)), eta);
-  F length = stretched_length(wo, alpha);
-  F area = length + wo.z;
-  F length_i = stretched_length(wi, alpha);
-  F height = op::abs(wi.z);
-  F pdf = ndf(h, alpha) / (area + area);
+  F length = F(0.f), area;
+  if constexpr (kUpright<Shape>) {
+    length = stretched_length(wo, shape);
+    area = length + wo.z;
+  } else {
+    area = lune_area(stretch(wo, shape));
+  }
+  F pdf = ndf(h, shape) / (area + area);
   F reflected = pdf * f.reflected;
   F refracted = (pdf * f.transmitted) * refraction_over_reflection(f, eta);
   refracted = op::select(cos_o > F(0.f), op::select(cos_i < F(0.f), refracted, F(0.f)), F(0.f));
-  F weight =
-      op::select(across, refraction_weight(height, length_i), Masking::weight(wo.z, length, area, height, length_i));
-  pdf = where_above(wo.z, height, op::select(across, refracted, reflected));
+  F weight = dielectric_weight<Masking>(reflects, wo.z, length, area, wi, shape);
+  pdf = where_above(wo.z, op::abs(wi.z), op::select(reflects, reflected, refracted));
   return {op::select(pdf > F(0.f), pdf * weight, F(0.f)), pdf};
 }
 

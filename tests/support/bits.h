@@ -1,0 +1,74 @@
+// Tables of columns, compared bit by bit, on every instruction set.
+#pragma once
+
+#include <cmath>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <vndf/vndf.h>
+
+namespace vndf::testing {
+
+/// Columns of equal length.
+using Table = std::vector<std::vector<float>>;
+
+inline std::vector<Column> columns(const Table& table, std::size_t from = 0) {
+  std::vector<Column> result;
+  for (const auto& column : table) result.push_back(column.data() + from);
+  return result;
+}
+inline std::vector<float*> results(Table& table, std::size_t from = 0) {
+  std::vector<float*> result;
+  for (auto& column : table) result.push_back(column.data() + from);
+  return result;
+}
+
+/// Equal bits where not NaN, and NaN in the same places.
+inline bool same_bits(float a, float b) {
+  return std::memcmp(&a, &b, sizeof a) == 0 || (std::isnan(a) && std::isnan(b));
+}
+inline ::testing::AssertionResult same_bits(const Table& expected, const Table& actual) {
+  for (std::size_t c = 0; c < expected.size(); ++c)
+    for (std::size_t i = 0; i < expected[c].size(); ++i)
+      if (!same_bits(expected[c][i], actual[c][i]))
+        return ::testing::AssertionFailure()
+               << "output " << c << " at " << i << ": " << actual[c][i] << " instead of " << expected[c][i];
+  return ::testing::AssertionSuccess();
+}
+
+/// -0 as 0, for tables that may differ in the signs of zeros.
+inline Table without_signs_of_zeros(Table table) {
+  for (auto& column : table)
+    for (float& value : column)
+      if (value == 0) value = 0.f;
+  return table;
+}
+
+/// Puts the set in use back at the end of a test.
+class KeepIsa {
+ public:
+  KeepIsa() : name_(active_isa()) {}
+  ~KeepIsa() { (void)set_isa(name_.c_str()); }
+  KeepIsa(const KeepIsa&) = delete;
+  KeepIsa& operator=(const KeepIsa&) = delete;
+
+ private:
+  std::string name_;
+};
+
+/// Calls f with each set in use that is supported here.
+template <class F>
+void on_every_isa(F f) {
+  KeepIsa keep;
+  for (const Isa& isa : isas())
+    if (isa.supported) {
+      ASSERT_EQ(set_isa(isa.name), IsaError::none);
+      SCOPED_TRACE(isa.name);
+      f();
+    }
+}
+
+}  // namespace vndf::testing
