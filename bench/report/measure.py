@@ -15,11 +15,13 @@ import time
 from pathlib import Path
 from typing import Any
 
-from results import ROOFLINE, Speed, read_speeds, unique
+from results import ROOFLINE, Speed, plain_of, read_speeds, unique
 
 # Batch sizes between the large and the small serve one plot: one input does, and no peers but the listing.
 MAIN_COUNTS = ("4096", "4194304")
 CURVE = r"^(sample_[^/]*|copy|paper_listing)/"
+# Ellipsoids are compared with plain GGX once.
+ELLIPSOID_PIECE = ("camera", "4096")
 
 
 def parse_arguments() -> argparse.Namespace:
@@ -41,8 +43,12 @@ def in_pieces(names: list[str], inputs: str) -> list[list[str]]:
     """Groups of one input and count, without what no plot or table shows."""
     pieces: dict[tuple[str, str], list[str]] = {}
     for name in names:
-        source, count = name.split("/")[3:5]
-        if re.fullmatch(inputs, source) and (count in MAIN_COUNTS or re.match(CURVE, name)):
+        operation, _, _, source, count = name.split("/")[:5]
+        if plain_of(operation):
+            shown = (source, count) == ELLIPSOID_PIECE
+        else:
+            shown = count in MAIN_COUNTS or bool(re.match(CURVE, name))
+        if shown and re.fullmatch(inputs, source):
             pieces.setdefault((source, count), []).append(name)
     return [pieces[key] for key in sorted(pieces, key=lambda key: (key[0], int(key[1])))]
 
