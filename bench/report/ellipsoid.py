@@ -17,6 +17,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.colors import PowerNorm
+from matplotlib.patches import Circle, PathPatch
+from matplotlib.path import Path as Outline
 from matplotlib.ticker import FixedLocator, FuncFormatter
 
 
@@ -128,8 +130,7 @@ def error_table(ellipsoids: Ellipsoids) -> str:
 def rejection_table(ellipsoids: Ellipsoids) -> str:
     rows = []
     for setting, shares in ellipsoids.rejections:
-        angles = ", ".join(f"{angle:g}" for angle in setting.theta) if any(setting.theta) else "0"
-        rows.append(("", [page.text(setting.name), f"{setting.alpha[0]:g}, {setting.alpha[1]:g}", angles,
+        rows.append(("", [page.text(setting.name), f"{setting.alpha[0]:g}, {setting.alpha[1]:g}", angles(setting),
                           f"{setting.degrees:g}°, {setting.phi:g}°", *(f"{100 * share:.1f} %" for share in shares)]))
     head = ["", "α", "θ of x, y, z", "view: θ, φ", "version 1", "version 2", "version 3"]
     return page.table(head, rows)
@@ -147,36 +148,45 @@ def error_figure(ellipsoids: Ellipsoids) -> str:
         series.append((rows["ellipsoid"], f"ellipsoid, {nice(warp)}", f"cat{index}"))
         series.append((rows["plain"], "" if index else "plain GGX, the same warp", "soft"))
     cases = unique(e.row for e in ellipsoids.errors)
-    return case_figure(cases, series, "Error of the ellipsoid NDF beside plain GGX")
+    return case_figure(cases, series, "Error of the ellipsoid NDF beside plain GGX", largest=9e4)
 
 
-def view_of(setting: Setting) -> np.ndarray:
-    theta, phi = math.radians(setting.degrees), math.radians(setting.phi)
-    return np.array([math.sin(theta) * math.cos(phi), math.sin(theta) * math.sin(phi), math.cos(theta)])
+def view_from_above(setting: Setting) -> tuple[float, float]:
+    sin, phi = math.sin(math.radians(setting.degrees)), math.radians(setting.phi)
+    return sin * math.cos(phi), sin * math.sin(phi)
+
+
+def angles(setting: Setting) -> str:
+    return "(" + ", ".join(f"{angle:g}".replace("-", "−") for angle in setting.theta) + ")" if any(setting.theta) else "0"
+
+
+def outline(degrees: float, phi: float) -> tuple[np.ndarray, np.ndarray]:
+    """Where normals cease to be visible, from above: perpendicular to the view, and the horizon on the view's side."""
+    theta, azimuth = math.radians(degrees), math.radians(phi)
+    t = np.linspace(0, math.pi, 121)
+    level, steep = np.cos(t), -np.sin(t) * math.cos(theta)
+    across = np.array([level * -math.sin(azimuth) + steep * math.cos(azimuth),
+                       level * math.cos(azimuth) + steep * math.sin(azimuth)])
+    return across, np.array([np.cos(t + azimuth - math.pi / 2), np.sin(t + azimuth - math.pi / 2)])
 
 
 def draw_density(axes: Axes, setting: Setting, pdf: np.ndarray, norm: PowerNorm) -> Any:
-    # Drawn where there are visible normals; "none" keeps the pixels as they are, for the reader's own scale.
-    image = axes.imshow(np.ma.masked_where(~(pdf > 0), pdf), origin="lower", extent=(-1, 1, -1, 1), cmap="viridis",
-                        norm=norm, interpolation="none")
-    turn = np.linspace(0, 2 * math.pi, 181)
-    axes.plot(np.cos(turn), np.sin(turn), color=theme.color("soft"), lw=1)
-    theta, phi = math.radians(setting.degrees), math.radians(setting.phi)
-    # The half of the circle of normals perpendicular to the view that is above the horizon.
-    half = turn[:91]
-    level, steep = np.cos(half), np.sin(half) * math.cos(theta)
-    axes.plot(-level * math.sin(phi) - steep * math.cos(phi), level * math.cos(phi) - steep * math.sin(phi),
-              color=theme.color("soft"), lw=1.2, ls=(0, (3, 2)))
-    x, y, _ = view_of(setting)
-    for at, word, shift in (((0, 0), "n", (6, -9)), ((x, y), "view", (0, 9) if x > y else (24, 0))):
+    # "none" keeps the pixels as they are, for the scale at which they are read.
+    image = axes.imshow(np.nan_to_num(pdf), origin="lower", extent=(-1, 1, -1, 1), cmap="viridis", norm=norm,
+                        interpolation="none")
+    across, horizon = outline(setting.degrees, setting.phi)
+    visible = np.concatenate([across, horizon], axis=1)
+    image.set_clip_path(PathPatch(Outline(visible.T, closed=False), transform=axes.transData))
+    axes.add_patch(Circle((0, 0), 1, fc="none", ec=theme.color("soft"), lw=1))
+    axes.plot(*across, color=theme.color("peer"), lw=1.3, ls=(0, (4, 2)))
+    for at, word, shift in (((0, 0), "n", (6, -9)), (view_from_above(setting), "view", (-7, -9))):
         axes.plot(*at, "o", ms=5, mfc=theme.color("panel"), mec=theme.color("ink"), mew=1.1)
         axes.annotate(word, at, xytext=shift, textcoords="offset points", ha="right" if word == "view" else "left",
                       va="center_baseline", fontsize=8.5, gid=theme.HALO)
     alpha = " / ".join(f"{a:g}" for a in setting.alpha)
-    lean = f"θ = ({', '.join(f'{t:g}' for t in setting.theta)})" if any(setting.theta) else "upright: θ = 0"
     axes.set_title(f"α {alpha}, view φ = {setting.phi:g}°", fontsize=9, loc="center", pad=18)
-    axes.text(0.5, 1.03, lean, transform=axes.transAxes, ha="center", va="bottom", fontsize=8,
-              color=theme.color("soft"))
+    axes.text(0.5, 1.03, f"θ = {angles(setting)}", transform=axes.transAxes, ha="center", va="bottom",
+              fontsize=8, color=theme.color("soft"))
     axes.set_xlim(-1.04, 1.04)
     axes.set_ylim(-1.04, 1.04)
     axes.set_axis_off()
@@ -206,41 +216,46 @@ def density_figure(ellipsoids: Ellipsoids) -> Optional[str]:
 # --- The section ---------------------------------------------------------------------------------------------------
 
 
+DENSITY_CAPTION = (
+    "How likely each normal is among those that the viewer sees, per unit solid angle: the hemisphere of normals from above, x "
+    "to the right and y up, with the surface normal n in the middle and the view 75° from it, near the rim. Beyond the dashed "
+    "line normals face away from the viewer. On the left and in the middle the surface is the same, smoother along x than "
+    "along y: seen along x, the bright spot lies across the line of sight; seen along y, it stretches towards the view. On the "
+    "right the ellipsoid leans and is turned, and the brightest normals lie far from n. One colour scale for all, by the square root "
+    "of the density, so that faint parts show."
+)
+ERROR_CAPTION = (
+    "Distances of the ellipsoid's normals from Walter's formulas in quadruple precision, and, in grey below each, those of plain "
+    "GGX for the same views, roughnesses and random numbers from its own exact normals. Ellipsoids lean by up to half a radian in "
+    "θx and in θy, in the rows named “any angle” by up to half a turn, and turn by any θz. A leaning ellipsoid sees the view through sums of "
+    "products, which can cancel; plain GGX has none there."
+)
+
+
 def section(ellipsoids: Ellipsoids, found: list[Cost], source: str, count: int) -> str:
-    kinds = ("With <i>five constants</i> one ellipsoid serves the whole batch; with <i>θz per lane</i> each sample brings its own "
-             "roughness and the turn of its axes, as from a texture of brushed metal; with <i>five columns</i> each has an ellipsoid "
-             "of its own, whose matrix is worked out on the spot.")
+    """For people who have not read the paper."""
     return f"""
 <h2>The ellipsoid NDF</h2>
-<p>GGX is the distribution of the normals of an ellipsoid that stands upright: two roughnesses α stretch it along x and y.
-Walter et al. 2015 let it turn about the surface normal (θz) and lean (θx, θy), for brushed metal whose scratches run anywhere and
-for surfaces with one slope steeper than the other. With all angles 0 it is plain GGX.</p>
-{page.figure(density_figure(ellipsoids), "How likely each normal is to be seen, per unit solid angle, for a view "
-             f"{ellipsoids.densities[0][0].degrees:g}° from the surface normal n; the hemisphere of normals as seen from "
-             "above, x to the right. The white dots are n, in the middle, and the view, near the rim. Left and middle, the "
-             "same rough surface from two sides: where the view goes along x, the direction of the small roughness, the normals stay near "
-             "n; where it goes along y, they are drawn out towards the view. Right, an ellipsoid that leans and is turned: the crest "
-             "no longer passes through n. Beyond the dashed line normals face away from the viewer. One colour scale for all, by the "
-             "square root of the density, so that tails show.") if ellipsoids.densities else ""}
+<p>The normals of plain GGX are those of an ellipsoid that stands upright; the two roughnesses α make it longer or shorter
+along x and y. Walter et al. 2015 let it turn about the surface normal by θz, as for brushed metal whose scratches run anywhere,
+and lean by θx and θy, as for shingles, whose slopes are steeper on one side. With all angles 0 it is plain GGX.</p>
+{page.figure(density_figure(ellipsoids), DENSITY_CAPTION)}
 <h3>What it costs</h3>
-<p>Speed beside plain GGX of the same warp and instruction set, {page.text(source)} input, {page.grouped(count)} samples a call; “× time” is
-the time per sample in units of plain GGX's, so less than 1 is faster. {kinds} Plain GGX reads two columns of roughness, so that constants
-save it memory traffic, too. Reflection with ellipsoids masks and shadows separately, as Walter et al. do; plain GGX here does it
-height-correlated, its default.</p>
+<p>Speed beside plain GGX of the same warp and instruction set, {page.text(source)} input, {page.grouped(count)} samples a call.
+“× time” is the time of a sample in units of plain GGX's: below 1 is faster. With <i>five constants</i> one ellipsoid serves the whole
+batch; with <i>θz per lane</i> every sample brings roughness and the turn of its axes, as from a texture; with <i>five
+columns</i> every sample has an ellipsoid of its own, whose matrix is worked out on the spot. Reflection with ellipsoids takes masking
+and shadowing as independent, as Walter et al. do; plain GGX here takes them as height-correlated, its default.</p>
 {cost_table(found)}
-
 <h3>What it costs in digits</h3>
-{page.figure(error_figure(ellipsoids), "Errors of the ellipsoid's normals against Walter's formulas in quadruple precision, and, in "
-             "grey, of plain GGX on the same views, roughnesses and random numbers with all angles 0, against its own. Line from "
-             "the mean, tick at the 99.9th percentile, dot at the largest, in ε = 2⁻²⁴. The ellipsoids lean by up to half a radian in "
-             "θx and θy, in the rows named “any angle” by up to half a turn. Where an ellipsoid leans away from the view, sums "
-             "cancel that plain GGX does not have.")}
+{page.figure(error_figure(ellipsoids), ERROR_CAPTION)}
 <details><summary>Errors in numbers</summary>{error_table(ellipsoids)}</details>
 
 <h3>Why nothing is rejected</h3>
-<p>Walter et al. give three ways to draw a visible normal. Version 1 shoots rays at the ellipsoid from a sphere around it and
-version 2 from the ellipsoid's own outline; both try again when the point they find is not visible. Version 3, which this library
-computes, draws points of the visible part alone. The table shows how many tries the first two throw away, counted by running them: in a SIMD
-register a single rejected lane makes all others wait, and each sample would use up an unknown number of random numbers.</p>
+<p>Walter et al. give three ways to draw a visible normal. Version 1 shoots rays at the ellipsoid out of a sphere around it,
+version 2 takes points of the ellipsoid's own outline; both try again when what they hit is not visible. Version 3, which this
+library computes, draws points of the visible part alone. The table tells the share of tries that each throws away, counted by
+running the first two. In a SIMD register one lane that has to try again makes all others wait, and every try uses up random
+numbers that were chosen to be well spread: hence version 3.</p>
 {rejection_table(ellipsoids)}
 """

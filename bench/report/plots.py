@@ -305,7 +305,8 @@ def error_per_case(data: Measurements, operation: str) -> Optional[str]:
     return case_figure(cases, rows, f"Error of {nice(operation)} in every hard case")
 
 
-def case_figure(cases: list[str], series: list[tuple[list[ErrorRow], str, str]], description: str) -> str:
+def case_figure(cases: list[str], series: list[tuple[list[ErrorRow], str, str]], description: str,
+                largest: float = 9e7) -> str:
     """One line per case and series (rows, name in the legend if any, colour), from the mean to the maximum with a tick at
     p99.9."""
     figure, axes = plt.subplots(figsize=(9, 1.3 + 0.115 * len(cases) * (len(series) + 1.2)))
@@ -323,7 +324,7 @@ def case_figure(cases: list[str], series: list[tuple[list[ErrorRow], str, str]],
     axes.grid(axis="y", visible=False)
     for index in range(0, len(cases), 2):
         axes.axhspan(index - 0.5, index + 0.5, color=theme.color("line"), alpha=0.22, lw=0)
-    axes.set_xlim(0.08, 9e7)
+    axes.set_xlim(0.08, largest)
     log_axis(axes.xaxis, *axes.get_xlim())
     axes.set_xlabel("error in units of 2⁻²⁴: line from the mean, tick at p99.9, dot at the maximum (left is better)")
     figure.legend(loc="upper right", ncol=sum(bool(label) for _, label, _ in series), fontsize=8.5, bbox_to_anchor=(0.99, 1.0))
