@@ -217,45 +217,47 @@ def density_figure(ellipsoids: Ellipsoids) -> Optional[str]:
 
 
 DENSITY_CAPTION = (
-    "How likely each normal is among those that the viewer sees, per unit solid angle: the hemisphere of normals from above, x "
-    "to the right and y up, with the surface normal n in the middle and the view 75° from it, near the rim. Beyond the dashed "
-    "line normals face away from the viewer. On the left and in the middle the surface is the same, smoother along x than "
-    "along y: seen along x, the bright spot lies across the line of sight; seen along y, it stretches towards the view. On the "
-    "right the ellipsoid leans and is turned, and the brightest normals lie far from n. One colour scale for all, by the square root "
-    "of the density, so that faint parts show."
+    "How likely each normal is among those that the viewer sees, per unit solid angle: the hemisphere of normals from "
+    "above, x to the right and y up, with the surface normal n in the middle and the view 75° from it, near the rim. "
+    "Beyond the dashed line normals face away from the viewer. On the left and in the middle the surface is the same, "
+    "smoother along x than along y: seen along x, the bright spot lies across the line of sight; seen along y, it "
+    "stretches towards the view. On the right the ellipsoid leans and is turned, and the brightest normals lie far "
+    "from n. One colour scale for all, by the square root of the density, so that faint parts show."
 )
 ERROR_CAPTION = (
-    "Distances of the ellipsoid's normals from Walter's formulas in quadruple precision, and, in grey below each, those of plain "
-    "GGX for the same views, roughnesses and random numbers from its own exact normals. Ellipsoids lean by up to half a radian in "
-    "θx and in θy, in the rows named “any angle” by up to half a turn, and turn by any θz. A leaning ellipsoid sees the view through sums of "
-    "products, which can cancel; plain GGX has none there."
+    "Distances of the ellipsoid's normals from Walter's formulas in quadruple precision, and, in grey below each, "
+    "those of plain GGX for the same views, roughnesses and random numbers from its own exact normals. Ellipsoids "
+    "lean by up to half a radian in θx and in θy, in the rows named “any angle” by up to half a turn, and turn by any "
+    "θz. A leaning ellipsoid sees the view through sums of products, which can cancel; plain GGX has none there."
 )
 
 
 def section(ellipsoids: Ellipsoids, found: list[Cost], source: str, count: int) -> str:
-    """For people who have not read the paper."""
+    """The HTML of it, for readers who do not know the paper."""
     return f"""
 <h2>The ellipsoid NDF</h2>
-<p>The normals of plain GGX are those of an ellipsoid that stands upright; the two roughnesses α make it longer or shorter
-along x and y. Walter et al. 2015 let it turn about the surface normal by θz, as for brushed metal whose scratches run anywhere,
-and lean by θx and θy, as for shingles, whose slopes are steeper on one side. With all angles 0 it is plain GGX.</p>
+<p>The normals of plain GGX are those of an ellipsoid that stands upright; the two roughnesses α make it longer or
+shorter along x and y. Walter et al. 2015 let it turn about the surface normal by θz, as for brushed metal whose
+scratches run anywhere, and lean by θx and θy, as for shingles, whose slopes are steeper on one side. With all angles
+0 it is plain GGX.</p>
 {page.figure(density_figure(ellipsoids), DENSITY_CAPTION)}
 <h3>What it costs</h3>
-<p>Speed beside plain GGX of the same warp and instruction set, {page.text(source)} input, {page.grouped(count)} samples a call.
-“× time” is the time of a sample in units of plain GGX's: below 1 is faster. With <i>five constants</i> one ellipsoid serves the whole
-batch; with <i>θz per lane</i> every sample brings roughness and the turn of its axes, as from a texture; with <i>five
-columns</i> every sample has an ellipsoid of its own, whose matrix is worked out on the spot. Reflection with ellipsoids takes masking
-and shadowing as independent, as Walter et al. do; plain GGX here takes them as height-correlated, its default.</p>
+<p>Speed beside plain GGX of the same warp and instruction set, {page.text(source)} input, {page.grouped(count)}
+samples a call. “× time” is the time of a sample in units of plain GGX's: below 1 is faster. With <i>five
+constants</i> one ellipsoid serves the whole batch; with <i>θz per lane</i> every sample brings roughness and the turn
+of its axes, as from a texture; with <i>five columns</i> every sample has an ellipsoid of its own, whose matrix is
+worked out on the spot. Reflection with ellipsoids takes masking and shadowing as independent, as Walter et al. do;
+plain GGX here takes them as height-correlated, its default.</p>
 {cost_table(found)}
 <h3>What it costs in digits</h3>
 {page.figure(error_figure(ellipsoids), ERROR_CAPTION)}
 <details><summary>Errors in numbers</summary>{error_table(ellipsoids)}</details>
 
 <h3>Why nothing is rejected</h3>
-<p>Walter et al. give three ways to draw a visible normal. Version 1 shoots rays at the ellipsoid out of a sphere around it,
-version 2 takes points of the ellipsoid's own outline; both try again when what they hit is not visible. Version 3, which this
-library computes, draws points of the visible part alone. The table tells the share of tries that each throws away, counted by
-running the first two. In a SIMD register one lane that has to try again makes all others wait, and every try uses up random
-numbers that were chosen to be well spread: hence version 3.</p>
+<p>Walter et al. give three ways to draw a visible normal. Version 1 shoots rays at the ellipsoid out of a sphere
+around it, version 2 takes points of the ellipsoid's own outline; both try again when what they hit is not visible.
+Version 3, which this library computes, draws points of the visible part alone. The table tells the share of tries
+that each throws away, counted by running the first two. In a SIMD register one lane that has to try again makes all
+others wait, and every try uses up random numbers that were chosen to be well spread: hence version 3.</p>
 {rejection_table(ellipsoids)}
 """

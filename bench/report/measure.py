@@ -28,7 +28,7 @@ def parse_arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--bench", type=Path, required=True, help="the program vndf_bench")
     parser.add_argument("--out", type=Path, required=True, help="where its results go, in Google Benchmark's JSON")
-    parser.add_argument("--seconds", type=float, default=90, help="the time all of it should take (default 90)")
+    parser.add_argument("--seconds", type=float, default=75, help="the time all of it should take (default 75)")
     parser.add_argument("--repetitions", type=int, default=9, help="of which the median counts (default 9)")
     parser.add_argument("--inputs", default="camera|uniform|camera_unaligned", help="regular expression of the inputs")
     return parser.parse_args()
