@@ -11,7 +11,7 @@ from typing import Any, Optional
 import page
 import theme
 from plots import case_figure, nice
-from results import ELLIPSOIDS, ErrorRow, Measurements, error_row, plain_of, unique
+from results import ELLIPSOIDS, ErrorRow, Measurements, error_row, or_worst, plain_of, unique
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -148,7 +148,8 @@ def error_figure(ellipsoids: Ellipsoids) -> str:
         series.append((rows["ellipsoid"], f"ellipsoid, {nice(warp)}", f"cat{index}"))
         series.append((rows["plain"], "" if index else "plain GGX, the same warp", "soft"))
     cases = unique(e.row for e in ellipsoids.errors)
-    return case_figure(cases, series, "Error of the ellipsoid NDF beside plain GGX", largest=9e4)
+    largest = 30 * max(or_worst(e.max_eps) for e in ellipsoids.errors)
+    return case_figure(cases, series, "Error of the ellipsoid NDF beside plain GGX", largest)
 
 
 def view_from_above(setting: Setting) -> tuple[float, float]:
@@ -228,7 +229,9 @@ ERROR_CAPTION = (
     "Distances of the ellipsoid's normals from Walter's formulas in quadruple precision, and, in grey below each, "
     "those of plain GGX for the same views, roughnesses and random numbers from its own exact normals. Ellipsoids "
     "lean by up to half a radian in θx and in θy, in the rows named “any angle” by up to half a turn, and turn by any "
-    "θz. A leaning ellipsoid sees the view through sums of products, which can cancel; plain GGX has none there."
+    "θz. A leaning ellipsoid sees the view through sums of products, which can cancel; plain GGX has none there. The cap's "
+    "rows leave out ellipsoids that lean past the horizon: there another normal than the model's belongs to the same "
+    "random numbers, and is as right."
 )
 
 
