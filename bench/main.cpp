@@ -90,19 +90,25 @@ Call sample_normals(vndf::Warp warp) {
 }
 
 // Ellipsoids: five constants, theta_z per lane, five columns. The angles are random numbers, whatever they are.
-Call sample_one_shape(vndf::Warp warp) {
-  return [warp](const bench::Batch& b) {
-    vndf::sample_normals(warp, b.count, wo(b), vndf::Ellipsoid({0.2f, 0.5f}, 0.3f, -0.2f, 0.5f), u(b), wm(b));
-  };
+struct EllipsoidKind {
+  const char* name;
+  int columns;  // read
+  vndf::Ellipsoid (*of)(const bench::Batch&);
+};
+constexpr EllipsoidKind kEllipsoids[] = {
+    {"one_shape", 0,
+     [](const bench::Batch&) {
+       return vndf::Ellipsoid({0.2f, 0.5f}, 0.3f, -0.2f, 0.5f);
+     }},
+    {"turned", 3, [](const bench::Batch& b) { return vndf::Ellipsoid(alpha(b), 0.f, 0.f, b.in[5]); }},
+    {"tilted", 5, [](const bench::Batch& b) { return vndf::Ellipsoid(alpha(b), b.in[5], b.in[6], b.in[5]); }},
+};
+Call sample_normals(vndf::Warp warp, const EllipsoidKind& kind) {
+  return [=](const bench::Batch& b) { vndf::sample_normals(warp, b.count, wo(b), kind.of(b), u(b), wm(b)); };
 }
-Call sample_turned(vndf::Warp warp) {
-  return [warp](const bench::Batch& b) {
-    vndf::sample_normals(warp, b.count, wo(b), vndf::Ellipsoid(alpha(b), 0.f, 0.f, b.in[5]), u(b), wm(b));
-  };
-}
-Call sample_tilted(vndf::Warp warp) {
-  return [warp](const bench::Batch& b) {
-    vndf::sample_normals(warp, b.count, wo(b), vndf::Ellipsoid(alpha(b), b.in[5], b.in[6], b.in[5]), u(b), wm(b));
+Call sample_reflection(vndf::Warp warp, const EllipsoidKind& kind) {
+  return [=](const bench::Batch& b) {
+    vndf::sample_reflection(warp, b.count, wo(b), kind.of(b), u(b), {wi(b), b.out[6], b.out[7]});
   };
 }
 
@@ -135,6 +141,11 @@ Call separate_reflection(vndf::Warp warp) {
 Call evaluate_reflection() {
   return [](const bench::Batch& b) {
     vndf::evaluate_reflection(b.count, wo(b), {b.in[1], b.in[0], b.in[2]}, alpha(b), {b.out[6], b.out[7]});
+  };
+}
+Call evaluate_reflection(const EllipsoidKind& kind) {
+  return [=](const bench::Batch& b) {
+    vndf::evaluate_reflection(b.count, wo(b), {b.in[1], b.in[0], b.in[2]}, kind.of(b), {b.out[6], b.out[7]});
   };
 }
 Call pdf_normals() {
@@ -182,10 +193,13 @@ std::vector<Operation> operations() {
                  {vndf::Warp::concentric, "concentric"},
                  {vndf::Warp::spherical_cap, "spherical_cap"}};
     for (auto [warp, name] : warps) add(("sample_normals/" + std::string(name)).c_str(), 10, sample_normals(warp));
-    for (auto [warp, name] : warps) {
-      add(("sample_normals_one_shape/" + std::string(name)).c_str(), 8, sample_one_shape(warp));
-      add(("sample_normals_turned/" + std::string(name)).c_str(), 11, sample_turned(warp));
-      add(("sample_normals_tilted/" + std::string(name)).c_str(), 13, sample_tilted(warp));
+    for (const EllipsoidKind& kind : kEllipsoids) {
+      std::string suffix = std::string("_") + kind.name + "/";
+      for (auto [warp, name] : warps) {
+        add(("sample_normals" + suffix + name).c_str(), 8 + kind.columns, sample_normals(warp, kind));
+        add(("sample_reflection" + suffix + name).c_str(), 10 + kind.columns, sample_reflection(warp, kind));
+      }
+      add(("evaluate_reflection" + suffix + "none").c_str(), 8 + kind.columns, evaluate_reflection(kind));
     }
     add("sample_disk/polar", 4, sample_disk(vndf::DiskMap::polar));
     add("sample_disk/concentric", 4, sample_disk(vndf::DiskMap::concentric));

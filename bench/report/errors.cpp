@@ -1,6 +1,5 @@
 // vndf_errors: how far the library's normals and its peers' are from the exact ones, for every hard case.
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -8,12 +7,13 @@
 #include <map>
 #include <mutex>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <vndf/vndf.h>
 
 #include "arguments.h"
+#include "in_parallel.h"
+#include "json.h"
 #include "peers.h"
 #include "reference/errors.h"
 
@@ -21,6 +21,7 @@ namespace {
 
 using namespace vndf;
 using namespace vndf::reference;
+using report::number;
 
 constexpr std::uint64_t kSeed = 2018;
 
@@ -32,7 +33,7 @@ constexpr struct {
 struct Options {
   std::size_t samples = std::size_t(1) << 22;
   std::size_t peer_samples = std::size_t(1) << 17;
-  unsigned threads = std::min(8u, std::max(1u, std::thread::hardware_concurrency()));
+  unsigned threads = report::default_threads();
   std::string only;
   std::string out = "-";
 };
@@ -197,14 +198,6 @@ std::vector<Row> measure_peers(const HardCase& hard_case, std::size_t samples) {
   return rows;
 }
 
-/// A number, or null where it is infinite: JSON has no word for that.
-std::string number(double value) {
-  if (!std::isfinite(value)) return "null";
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
-
 void write_row(std::FILE* file, const Row& row) {
   const NormalErrors& e = row.errors;
   std::fprintf(file,
@@ -267,23 +260,16 @@ std::vector<Row> measure_all(const Options& options) {
   }
 
   std::vector<std::vector<Row>> results(tasks.size());
-  std::atomic<std::size_t> next{0};
   std::size_t done = 0;
   std::mutex terminal;
-  auto work = [&] {
-    for (std::size_t task; (task = next++) < tasks.size();) {
-      auto start = std::chrono::steady_clock::now();
-      results[task] = tasks[task]();
-      std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-      std::lock_guard<std::mutex> lock(terminal);
-      std::fprintf(stderr, "errors %zu/%zu, %.1f s\n", ++done, tasks.size(), seconds.count());
-      for (const Row& row : results[task]) show(row);
-    }
-  };
-  std::vector<std::thread> threads;
-  for (unsigned i = 1; i < options.threads; ++i) threads.emplace_back(work);
-  work();
-  for (std::thread& thread : threads) thread.join();
+  report::in_parallel(tasks.size(), options.threads, [&](std::size_t task) {
+    auto start = std::chrono::steady_clock::now();
+    results[task] = tasks[task]();
+    std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    std::lock_guard<std::mutex> lock(terminal);
+    std::fprintf(stderr, "errors %zu/%zu, %.1f s\n", ++done, tasks.size(), seconds.count());
+    for (const Row& row : results[task]) show(row);
+  });
 
   std::vector<Row> rows;
   for (auto& result : results) rows.insert(rows.end(), result.begin(), result.end());

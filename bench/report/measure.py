@@ -15,18 +15,20 @@ import time
 from pathlib import Path
 from typing import Any
 
-from results import ROOFLINE, Speed, read_speeds, unique
+from results import ROOFLINE, Speed, plain_of, read_speeds, unique
 
 # Batch sizes between the large and the small serve one plot: one input does, and no peers but the listing.
 MAIN_COUNTS = ("4096", "4194304")
 CURVE = r"^(sample_[^/]*|copy|paper_listing)/"
+# Ellipsoids are compared with plain GGX once.
+ELLIPSOID_PIECE = ("camera", "4096")
 
 
 def parse_arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--bench", type=Path, required=True, help="the program vndf_bench")
     parser.add_argument("--out", type=Path, required=True, help="where its results go, in Google Benchmark's JSON")
-    parser.add_argument("--seconds", type=float, default=90, help="the time all of it should take (default 90)")
+    parser.add_argument("--seconds", type=float, default=75, help="the time all of it should take (default 75)")
     parser.add_argument("--repetitions", type=int, default=9, help="of which the median counts (default 9)")
     parser.add_argument("--inputs", default="camera|uniform|camera_unaligned", help="regular expression of the inputs")
     return parser.parse_args()
@@ -41,8 +43,12 @@ def in_pieces(names: list[str], inputs: str) -> list[list[str]]:
     """Groups of one input and count, without what no plot or table shows."""
     pieces: dict[tuple[str, str], list[str]] = {}
     for name in names:
-        source, count = name.split("/")[3:5]
-        if re.fullmatch(inputs, source) and (count in MAIN_COUNTS or re.match(CURVE, name)):
+        operation, _, _, source, count = name.split("/")[:5]
+        if plain_of(operation):
+            shown = (source, count) == ELLIPSOID_PIECE
+        else:
+            shown = count in MAIN_COUNTS or bool(re.match(CURVE, name))
+        if shown and re.fullmatch(inputs, source):
             pieces.setdefault((source, count), []).append(name)
     return [pieces[key] for key in sorted(pieces, key=lambda key: (key[0], int(key[1])))]
 

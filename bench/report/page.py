@@ -8,7 +8,7 @@ from typing import Any, Iterable, Optional
 
 import theme
 from plots import Figures, grouped, nice
-from results import LISTING, ROOFLINE, ErrorRow, Measurements, Result, unique
+from results import LISTING, ROOFLINE, ErrorRow, Measurements, Result, plain_of, unique
 
 STYLE = """
 *{box-sizing:border-box}
@@ -88,7 +88,7 @@ def ratio(value: Optional[float]) -> str:
 def table(head: list[str], rows: Iterable[tuple[str, list[str]]], words: int = 1) -> str:
     """Rows of (CSS class, cells that are HTML); the first `words` columns are words, the last one too if it says so."""
     def cell(tag: str, index: int, content: str) -> str:
-        as_text = index < words or head[index].startswith("worst")
+        as_text = index < words or head[index].startswith(("worst", "inputs"))
         return f'<{tag}{" class=text" if as_text else ""}>{content}</{tag}>'
 
     top = "".join(cell("th", index, text(title)) for index, title in enumerate(head))
@@ -137,7 +137,9 @@ def in_groups(data: Measurements, results: Iterable[Result]) -> list[Result]:
 
 
 def main_table(data: Measurements, source: str, count: int) -> str:
-    chosen = [r for r in data.results if r.speed.input == source and r.speed.count == count]
+    """All but the ellipsoids, which have a section of their own."""
+    chosen = [r for r in data.results if r.speed.input == source and r.speed.count == count
+              and not plain_of(r.speed.operation)]
     return result_table(data, in_groups(data, chosen))
 
 
@@ -233,7 +235,9 @@ def sample_note(data: Measurements) -> str:
             + (f", the library's taken on {nice(isa)}: the other sets give the same bits, as the tests verify." if isa else "."))
 
 
-def render(data: Measurements, figures: Figures, machine: dict[str, Any], source: str, count: int) -> str:
+def render(data: Measurements, figures: Figures, machine: dict[str, Any], source: str, count: int,
+           ellipsoids: str) -> str:
+    """The whole page; the section about ellipsoids comes ready."""
     speed_figures = "".join(
         figure(svg, f"Each point is one implementation on the {text(source)} input, {grouped(count)} samples a call. Up is "
                     "faster, left is closer to the exact normal. Both axes are logarithmic: one decade to the left is ten "
@@ -296,7 +300,7 @@ a finite number.
 {case_list(data)}
 <h3>Every implementation</h3>
 {error_tables(data)}
-
+{ellipsoids}
 <h2>What the maps do to a square</h2>
 {figure(figures.checker, "A checkerboard on the unit square of random numbers, carried to the slopes of the normals "
         "(−x/z, −y/z) of a surface of roughness 1, seen from more and more grazing views. All maps give the same density, "

@@ -291,7 +291,6 @@ def draw_line(axes: Axes, series: dict[int, float], role: str, label: str, dashe
 
 
 def error_per_case(data: Measurements, operation: str) -> Optional[str]:
-    """One line per hard case and implementation, from the mean to the maximum with a tick at p99.9."""
     mine = [e for e in data.errors if e.implementation == operation]
     cases = unique(e.row for e in mine if not e.undefined)
     if not cases:
@@ -301,27 +300,37 @@ def error_per_case(data: Measurements, operation: str) -> Optional[str]:
     if operation == data.peer_operation:
         for index, (name, warp) in enumerate(unique((e.implementation, e.warp) for e in scalar_peers)):
             series.append((name, warp, nice(name), ("peer", "cat3")[index % 2]))
+    rows = [([e for e in data.errors if (e.implementation, e.warp) == (name, warp)], label, role)
+            for name, warp, label, role in series]
+    return case_figure(cases, rows, f"Error of {nice(operation)} in every hard case")
+
+
+def case_figure(cases: list[str], series: list[tuple[list[ErrorRow], str, str]], description: str,
+                largest: float = 9e7) -> str:
+    """One line per case and series (rows, name in the legend if any, colour), from the mean to the maximum with a tick at
+    p99.9."""
     figure, axes = plt.subplots(figsize=(9, 1.3 + 0.115 * len(cases) * (len(series) + 1.2)))
     axes.set_xscale("log")
     step = 1 / (len(series) + 1.2)
-    for index, (implementation, warp, label, role) in enumerate(series):
-        rows = [e for e in data.errors if (e.implementation, e.warp) == (implementation, warp) and e.row in cases]
+    for index, (rows, label, role) in enumerate(series):
         for row in rows:
-            draw_case(axes, row, cases.index(row.row) + (index - (len(series) - 1) / 2) * step, role)
-        axes.plot([], [], "o-", color=theme.color(role), ms=4.5, lw=1.2, label=label)
+            if row.row in cases:
+                draw_case(axes, row, cases.index(row.row) + (index - (len(series) - 1) / 2) * step, role)
+        if label:
+            axes.plot([], [], "o-", color=theme.color(role), ms=4.5, lw=1.2, label=label)
     axes.set_yticks(range(len(cases)), [nice(case) for case in cases])
     axes.tick_params(axis="y", length=0, labelcolor=theme.color("ink"))
     axes.set_ylim(len(cases) - 0.4, -0.6)
     axes.grid(axis="y", visible=False)
     for index in range(0, len(cases), 2):
         axes.axhspan(index - 0.5, index + 0.5, color=theme.color("line"), alpha=0.22, lw=0)
-    axes.set_xlim(0.08, 9e7)
+    axes.set_xlim(0.08, largest)
     log_axis(axes.xaxis, *axes.get_xlim())
     axes.set_xlabel("error in units of 2⁻²⁴: line from the mean, tick at p99.9, dot at the maximum (left is better)")
-    figure.legend(loc="upper right", ncol=len(series), fontsize=8.5, bbox_to_anchor=(0.99, 1.0))
+    figure.legend(loc="upper right", ncol=sum(bool(label) for _, label, _ in series), fontsize=8.5, bbox_to_anchor=(0.99, 1.0))
     height = figure.get_size_inches()[1]
     figure.subplots_adjust(left=0.27, right=0.985, top=1 - 0.38 / height, bottom=0.5 / height)
-    return theme.to_svg(figure, f"Error of {nice(operation)} in every hard case")
+    return theme.to_svg(figure, description)
 
 
 def draw_case(axes: Axes, row: ErrorRow, y: float, role: str) -> None:

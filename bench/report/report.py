@@ -6,6 +6,7 @@ import argparse
 import json
 from pathlib import Path
 
+import ellipsoid
 import machine
 import page
 import plots
@@ -21,6 +22,7 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("--benchmark", type=Path, required=True, help="what measure.py wrote, or vndf_bench itself")
     parser.add_argument("--errors", type=Path, required=True, help="what vndf_errors wrote")
     parser.add_argument("--warps", type=Path, required=True, help="what vndf_warps wrote")
+    parser.add_argument("--ellipsoid", type=Path, required=True, help="what vndf_ellipsoid wrote")
     parser.add_argument("--out", type=Path, required=True, help="directory of index.html, report.json and the plot")
     parser.add_argument("--source", type=Path, default=Path("."), help="the source tree, to name its revision")
     parser.add_argument("--compiler", default="unknown", help="its name and version")
@@ -52,9 +54,14 @@ def main() -> None:
     about = machine.describe(arguments.source, arguments.compiler, arguments.flags)
     figures = plots.draw(data, plots.read_warps(arguments.warps), INPUT, COUNT)
 
+    ellipsoids = ellipsoid.read(arguments.ellipsoid)
+    costs = ellipsoid.costs(data, INPUT, COUNT)
+    section = ellipsoid.section(ellipsoids, costs, INPUT, COUNT)
+    document = {**results.report_json(about, data.results), "ellipsoid": ellipsoid.summary(ellipsoids, costs)}
+
     arguments.out.mkdir(parents=True, exist_ok=True)
-    (arguments.out / "index.html").write_text(page.render(data, figures, about, INPUT, COUNT))
-    (arguments.out / "report.json").write_text(json.dumps(results.report_json(about, data.results), indent=1) + "\n")
+    (arguments.out / "index.html").write_text(page.render(data, figures, about, INPUT, COUNT, section))
+    (arguments.out / "report.json").write_text(json.dumps(document, indent=1) + "\n")
     if figures.speed_against_error:
         (arguments.out / "speed_vs_error.svg").write_text(theme.standalone(figures.speed_against_error[0]))
     print_table(data)

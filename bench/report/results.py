@@ -11,6 +11,8 @@ from typing import Any, Iterable, Optional
 EPS = 2.0**-24
 ROOFLINE = "copy"
 LISTING = ("paper_listing", "polar", "scalar")
+# Suffixes of the operations that take an ellipsoid, with what is given of it.
+ELLIPSOIDS = {"one_shape": "five constants", "turned": "θz per lane", "tilted": "five columns"}
 # A result that is not finite has no distance; the largest that two unit vectors can have stands for it in plots.
 WORST_EPS = 2 / EPS
 
@@ -106,6 +108,11 @@ def unique(values: Iterable[Any]) -> list[Any]:
     return list(dict.fromkeys(values))
 
 
+def plain_of(operation: str) -> Optional[str]:
+    """The same operation with plain GGX, if this one takes an ellipsoid."""
+    return next((operation[: -len(kind) - 1] for kind in ELLIPSOIDS if operation.endswith("_" + kind)), None)
+
+
 def read_speeds(runs: Iterable[dict[str, Any]]) -> list[Speed]:
     """Medians of Google Benchmark's runs; the runs themselves where there are no aggregates."""
     medians: dict[str, dict[str, Any]] = {}
@@ -145,26 +152,27 @@ def finite(value: Any) -> Optional[float]:
     return value if isinstance(value, (int, float)) and math.isfinite(value) else None
 
 
+def error_row(row: dict[str, Any]) -> ErrorRow:
+    return ErrorRow(
+        implementation=row["implementation"],
+        warp=row["warp"],
+        isa=row.get("isa", "any"),
+        row=row["row"],
+        samples=row["samples"],
+        mean_eps=finite(row["mean_eps"]),
+        p999_eps=finite(row["p999_eps"]),
+        max_eps=finite(row["max_eps"]),
+        norm_eps=finite(row["norm_eps"]),
+        slope_error=finite(row.get("slope_error")),
+        worst_input=row["worst_input"],
+        undefined=row.get("undefined", False),
+        shared_domain=row.get("shared_domain", False),
+    )
+
+
 def read_errors(path: Path) -> dict[str, Any]:
     document = json.loads(path.read_text())
-    rows = [
-        ErrorRow(
-            implementation=row["implementation"],
-            warp=row["warp"],
-            isa=row.get("isa", "any"),
-            row=row["row"],
-            samples=row["samples"],
-            mean_eps=finite(row["mean_eps"]),
-            p999_eps=finite(row["p999_eps"]),
-            max_eps=finite(row["max_eps"]),
-            norm_eps=finite(row["norm_eps"]),
-            slope_error=finite(row.get("slope_error")),
-            worst_input=row["worst_input"],
-            undefined=row.get("undefined", False),
-            shared_domain=row.get("shared_domain", False),
-        )
-        for row in document["rows"]
-    ]
+    rows = [error_row(row) for row in document["rows"]]
     return {
         "errors": rows,
         "peers": document.get("peers", {}),

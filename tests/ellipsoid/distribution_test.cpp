@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ellipsoid/model.h"
-#include "reference/random.h"
+#include "ellipsoid/rejection.h"
 
 namespace vndf::ellipsoid {
 namespace {
@@ -122,55 +121,17 @@ TEST_P(Every, ChiSquare) {
   }
 }
 
-struct Rejecting {
-  std::vector<double> counts = std::vector<double>(kRings * kSectors);
-  double tried = 0, kept = 0;
-  double rejected() const { return 1 - kept / tried; }
-};
-
-void basis(const V3<D>& z, V3<D>& x, V3<D>& y) {
-  x = direction(cross(z, std::fabs(z.x) < 0.5 ? V3<D>{1, 0, 0} : V3<D>{0, 1, 0}));
-  y = cross(z, x);
-}
-
 // Versions 1 and 2 of section 4: rays at the ellipsoid out of a bounding sphere's silhouette, and points of its own.
 TEST_P(Every, WalterVersions1And2) {
   constexpr double kWanted = 1 << 15;
   M3<D> a = matrix<D>(parameters());
   M3<D> b = upright(a);
   V3<D> v = direction(psi());
-  V3<D> x, y;
-
-  Rejecting first;
   Random random(1);
-  basis(v, x, y);
-  // The half axes are 1 / alpha_x, 1 / alpha_y and 1.
-  double radius = std::max({1., 1. / parameters().alpha_x, 1. / parameters().alpha_y});
-  while (first.kept < kWanted && first.tried < 100 * kWanted) {
-    ++first.tried;
-    double r = radius * std::sqrt(random.uniform(0, 1)), phi = random.uniform(0, 2 * kPi<D>);
-    V3<D> o = (r * std::cos(phi)) * x + (r * std::sin(phi)) * y;
-    V3<D> ao = a * o, av = a * v;  // |A (o + s v)|^2 = 1, the hit nearest to the viewer
-    double q = dot(av, av), p = dot(ao, av) / q, c = (dot(ao, ao) - 1) / q;
-    if (p * p < c) continue;
-    V3<D> hit = o + (-p + std::sqrt(p * p - c)) * v;
-    V3<D> m = transposed_times(a, a * hit);
-    if (m.z < 0 || dot(m, v) < 0) continue;
-    ++first.kept;
-    ++first.counts[bin_of(m, b)];
-  }
-
-  Rejecting second;
-  basis(direction(a * v), x, y);
-  while (second.kept < kWanted && second.tried < 100 * kWanted) {
-    ++second.tried;
-    double r2 = random.uniform(0, 1), phi = random.uniform(0, 2 * kPi<D>), r = std::sqrt(r2);
-    V3<D> p = (r * std::cos(phi)) * x + (r * std::sin(phi)) * y + std::sqrt(1 - r2) * direction(a * v);
-    V3<D> m = transposed_times(a, p);
-    if (m.z < 0) continue;
-    ++second.kept;
-    ++second.counts[bin_of(m, b)];
-  }
+  auto counting = [&](std::vector<double>& counts) { return [&](const V3<D>& m) { ++counts[bin_of(m, b)]; }; };
+  std::vector<double> first_counts(kRings * kSectors), second_counts(kRings * kSectors);
+  Tries first = sample_by_rejection(Version1(parameters(), psi()), random, kWanted, counting(first_counts));
+  Tries second = sample_by_rejection(Version2(parameters(), psi()), random, kWanted, counting(second_counts));
 
   constexpr std::size_t kCount = std::size_t(1) << 17;
   std::vector<float> u1(kCount), u2(kCount);
@@ -187,9 +148,9 @@ TEST_P(Every, WalterVersions1And2) {
               parameters().theta_z, v.x, v.y, v.z, 100 * first.rejected(), 100 * second.rejected());
   double least = least_p_value(2 * kShapeCount * kViewCount);
   if (first.kept > 1000) {
-    EXPECT_GE(two_sample_p_value(third, first.counts), least);
+    EXPECT_GE(two_sample_p_value(third, first_counts), least);
   }
-  EXPECT_GE(two_sample_p_value(third, second.counts), least);
+  EXPECT_GE(two_sample_p_value(third, second_counts), least);
   // What is rejected is what the lune lacks of the ellipsoid.
   double share = std::max(0., 1 - lune_area(v, a) / ellipsoid_area(v, a));
   EXPECT_NEAR(second.rejected(), share, 5 * std::sqrt(share * (1 - share) / second.tried) + 1e-9);
