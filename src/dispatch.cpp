@@ -112,13 +112,30 @@ bool zero(const Column& column) {
   return constant(column) && column.value == 0;
 }
 
+/// Plain GGX with the masking that eq. 6 becomes without theta_x and theta_y.
+ShapeKernels<Columns2> upright(const KernelTable& kernels) {
+  const auto& normals = kernels.sample_normals;
+  const auto& reflection = kernels.sample_reflection[false][static_cast<int>(Masking::separable)];
+  const auto& dielectric = kernels.sample_dielectric[static_cast<int>(Masking::separable)];
+  return {{normals[0], normals[1], normals[2]},
+          {reflection[0], reflection[1], reflection[2]},
+          kernels.evaluate_reflection[false][static_cast<int>(Masking::separable)],
+          kernels.pdf_normals,
+          {dielectric[0], dielectric[1], dielectric[2]},
+          kernels.evaluate_dielectric[static_cast<int>(Masking::separable)]};
+}
+
 /// Calls f(kernels, shape) with the cheapest kernels for the ellipsoid.
 template <class F>
 void with_cheapest(const Ellipsoid& e, F f) {
   const KernelTable& kernels = *active().kernels;
-  if (constant(e.alpha.x) && constant(e.alpha.y) && constant(e.theta_x) && constant(e.theta_y) && constant(e.theta_z))
+  bool turned = zero(e.theta_x) && zero(e.theta_y);
+  if (turned && zero(e.theta_z))
+    f(upright(kernels), e.alpha);
+  else if (constant(e.alpha.x) && constant(e.alpha.y) && constant(e.theta_x) && constant(e.theta_y) &&
+           constant(e.theta_z))
     f(kernels.one_shape, shape_of(e));
-  else if (zero(e.theta_x) && zero(e.theta_y))
+  else if (turned)
     f(kernels.turned, e);
   else
     f(kernels.tilted, e);

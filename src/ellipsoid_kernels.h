@@ -13,7 +13,7 @@ struct OneShapes {
   static VNDF_INLINE void run(std::size_t count, const Column* const (&columns)[N], const Shape& shape,
                               float* const (&results)[M]) {
     Kernel kernel;
-    kernel.shapes.shape = ShapeAccess::get(shape);
+    kernel.shapes.set(shape);
     for_each_block<N, M>(count, columns, results, kernel);
   }
   static VNDF_INLINE Columns2 alpha(const Shape&) { return {0.f, 0.f}; }

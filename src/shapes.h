@@ -30,25 +30,34 @@ struct AlphaColumns {
 };
 
 /// One shape for all lanes.
-struct OneShape {
+class OneShape {
+ public:
   using Type = lanes::Tilted<F>;
-  lanes::Tilted<float> shape;
+
+  VNDF_INLINE void set(const Shape& shape) {
+    shape_ = ShapeAccess::get(shape);
+    narrowed_ = narrowed(shape_);
+  }
 
   template <std::size_t N>
   VNDF_INLINE void prepare(const Inputs<N>&, std::size_t, std::size_t) {}
   template <std::size_t N>
   VNDF_INLINE lanes::Tilted<F> at(const Inputs<N>&, std::size_t) const {
     auto each = [](const lanes::Split<float>& a) { return lanes::Split<F>{F(a.high), F(a.low)}; };
-    return {each(shape.xx), each(shape.xy), each(shape.yx), each(shape.yy), each(shape.zx), each(shape.zy), det()};
+    const auto& a = shape_;
+    return {each(a.xx), each(a.xy), each(a.yx), each(a.yy), each(a.zx), each(a.zy), det()};
   }
   template <std::size_t N>
   VNDF_INLINE lanes::Tilted<F, F> load(const Inputs<N>&, std::size_t) const {
-    auto a = narrowed(shape);
+    const auto& a = narrowed_;
     return {F(a.xx), F(a.xy), F(a.yx), F(a.yy), F(a.zx), F(a.zy), det()};
   }
 
  private:
-  VNDF_INLINE Vec2<F> det() const { return {F(shape.det.x), F(shape.det.y)}; }
+  VNDF_INLINE Vec2<F> det() const { return {F(shape_.det.x), F(shape_.det.y)}; }
+
+  lanes::Tilted<float> shape_;
+  lanes::Tilted<float, float> narrowed_;
 };
 
 template <std::size_t kAlpha, std::size_t kTheta, std::size_t kLanes, class T>

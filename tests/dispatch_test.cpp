@@ -52,10 +52,9 @@ namespace vndf {
       {note_disk<name_of_##name, 0>, note_disk<name_of_##name, 1>},                                        \
       {},                                                                                                  \
       {},                                                                                                  \
-      {},                                                                                                  \
-      {},                                                                                                  \
-      {},                                                                                                  \
       nullptr,                                                                                             \
+      {},                                                                                                  \
+      {},                                                                                                  \
       {},                                                                                                  \
       {},                                                                                                  \
       {},                                                                                                  \

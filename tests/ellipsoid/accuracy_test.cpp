@@ -28,7 +28,7 @@ TEST(Angle, Accuracy) {
     worst_length = std::max(worst_length, std::fabs(std::hypot(cos, sin) - 1));
   }
   std::printf("angle: %.3f eps, length %.3f\n", worst / kEps, worst_length / kEps);
-  EXPECT_LE(worst, 0.35 * kEps);
+  EXPECT_LE(worst, 0.5 * kEps);
   auto zero = lanes::angle_of(0.f);
   EXPECT_EQ(lanes::as<float>(zero.cos), 1.f);
   EXPECT_EQ(lanes::as<float>(zero.sin), 0.f);
@@ -160,60 +160,75 @@ TEST_P(Accuracy, Normals) {
   }
 }
 
-// theta = 0: the values of the plain functions, to the bit but for the sign of zeros where theta_x and theta_y are the
-// constant 0.
+// theta = 0. As constants: the bits of the plain functions with separable masking. As a column of theta_z, or columns
+// of all: the same but for a few eps.
+enum class Zero { constants, turned, tilted };
+Ellipsoid without_angles(Zero zero, const Columns2& alpha, const std::vector<float>& zeros) {
+  Column column = zeros.data(), constant = 0.f;
+  Column leaning = zero == Zero::tilted ? column : constant;
+  return {alpha, leaning, leaning, zero == Zero::constants ? constant : column};
+}
+
 TEST(Identity, PlainNormals) {
+  constexpr std::size_t kCount = 1 << 14;
+  std::vector<float> zeros(kCount);
   for (const auto& row : reference::hard_cases())
     for (Warp warp : kWarps) {
-      constexpr std::size_t kCount = 1 << 14;
       auto in = reference::generate(row, warp, kCount, 5);
       Directions plain(kCount), other(kCount);
-      std::vector<float> zero(kCount);
       sample_normals(warp, kCount, in.wo(), in.alpha(), in.u(), plain.out());
-      for (bool tilted : {false, true}) {
-        Column angle = tilted ? Column(zero.data()) : Column(0.f);
-        sample_normals(warp, kCount, in.wo(), Ellipsoid(in.alpha(), angle, angle, zero.data()), in.u(), other.out());
+      for (Zero zero : {Zero::constants, Zero::turned, Zero::tilted}) {
+        sample_normals(warp, kCount, in.wo(), without_angles(zero, in.alpha(), zeros), in.u(), other.out());
         double worst = 0;
         for (std::size_t i = 0; i < kCount; ++i) worst = std::max(worst, distance(plain.at(i), other.at(i)) / kEps);
-        EXPECT_LE(worst, tilted ? 4 : 0) << row.name << " " << tilted;
+        EXPECT_LE(worst, zero == Zero::tilted ? 4 : 0) << row.name << " " << int(zero);
       }
     }
 }
 
 TEST(Identity, PlainReflection) {
-  constexpr std::size_t kCount = 1 << 14;
+  constexpr std::size_t kCount = 1 << 16;
   ReflectionOptions options{Masking::separable, false};
+  std::vector<float> zeros(kCount);
   for (int row : {0, 1, 3})
-    for (Warp warp : kWarps) {
-      Batch in = inputs(kRows[row], kCount, 6);
-      Samples plain(kCount), other(kCount);
-      Values there(kCount), here(kCount);
-      std::vector<float> pdf(kCount), other_pdf(kCount);
-      sample_reflection(warp, kCount, in.wo(), in.alpha(), in.u(), plain.with_normals(), options);
-      sample_reflection(warp, kCount, in.wo(), Ellipsoid(in.alpha()), in.u(), other.with_normals());
-      evaluate_reflection(kCount, in.wo(), plain.wi.in(), in.alpha(), there.out(), options);
-      evaluate_reflection(kCount, in.wo(), plain.wi.in(), Ellipsoid(in.alpha()), here.out());
-      pdf_normals(kCount, in.wo(), plain.wm.in(), in.alpha(), pdf.data());
-      pdf_normals(kCount, in.wo(), plain.wm.in(), Ellipsoid(in.alpha()), other_pdf.data());
-      double worst[5] = {};
-      auto keep = [](double& max, double a, double b) {
-        if (a != b) max = std::max(max, std::fabs(a / b - 1) / kEps);
-      };
-      for (std::size_t i = 0; i < kCount; ++i) {
-        ASSERT_EQ(plain.wi.x[i], other.wi.x[i]);
-        ASSERT_EQ(plain.wi.z[i], other.wi.z[i]);
-        ASSERT_EQ(plain.cos[i], other.cos[i]);
-        keep(worst[0], other.pdf[i], plain.pdf[i]);
-        keep(worst[1], other.weight[i], plain.weight[i]);
-        keep(worst[2], here.pdf[i], there.pdf[i]);
-        keep(worst[3], here.f_cos[i], there.f_cos[i]);
-        keep(worst[4], other_pdf[i], pdf[i]);
+    for (Warp warp : kWarps)
+      for (Zero zero : {Zero::constants, Zero::turned, Zero::tilted}) {
+        Batch in = inputs(kRows[row], kCount, 6);
+        Ellipsoid ellipsoid = without_angles(zero, in.alpha(), zeros);
+        Samples plain(kCount), other(kCount);
+        Values there(kCount), here(kCount);
+        std::vector<float> pdf(kCount), other_pdf(kCount);
+        sample_reflection(warp, kCount, in.wo(), in.alpha(), in.u(), plain.with_normals(), options);
+        sample_reflection(warp, kCount, in.wo(), ellipsoid, in.u(), other.with_normals());
+        evaluate_reflection(kCount, in.wo(), plain.wi.in(), in.alpha(), there.out(), options);
+        evaluate_reflection(kCount, in.wo(), plain.wi.in(), ellipsoid, here.out());
+        pdf_normals(kCount, in.wo(), plain.wm.in(), in.alpha(), pdf.data());
+        pdf_normals(kCount, in.wo(), plain.wm.in(), ellipsoid, other_pdf.data());
+        struct {
+          const char* what;
+          double worst, turned, tilted;
+        } rows[] = {{"wi", 0, 0, 16},           {"wo.wm", 0, 0, 6}, {"pdf", 0, 0, 20},
+                    {"evaluated pdf", 0, 0, 4}, {"f cos", 0, 4, 8}, {"pdf of normals", 0, 0, 4},
+                    {"weight", 0, 4, INFINITY}};  // wi at the horizon makes any error of the weight
+        auto keep = [&](int k, double a, double b) {
+          if (a != b) rows[k].worst = std::max(rows[k].worst, std::fabs(a / b - 1) / kEps);
+        };
+        for (std::size_t i = 0; i < kCount; ++i) {
+          rows[0].worst = std::max(rows[0].worst, distance(plain.wi.at(i), other.wi.at(i)) / kEps);
+          rows[1].worst = std::max(rows[1].worst, std::fabs(double(plain.cos[i]) - other.cos[i]) / kEps);
+          keep(2, other.pdf[i], plain.pdf[i]);
+          keep(3, here.pdf[i], there.pdf[i]);
+          keep(4, here.f_cos[i], there.f_cos[i]);
+          keep(5, other_pdf[i], pdf[i]);
+          keep(6, other.weight[i], plain.weight[i]);
+        }
+        for (const auto& r : rows) {
+          EXPECT_LE(r.worst, zero == Zero::constants ? 0
+                             : zero == Zero::turned  ? r.turned
+                                                     : r.tilted)
+              << r.what << " in " << kRows[row].name << ", " << int(zero);
+        }
       }
-      std::printf("%s: pdf %.1f, weight %.1f, evaluated pdf %.1f, f cos %.1f, pdf of normals %.1f eps from plain\n",
-                  kRows[row].name, worst[0], worst[1], worst[2], worst[3], worst[4]);
-      for (int k : {0, 1}) EXPECT_LE(worst[k], 8);
-      for (int k : {2, 3, 4}) EXPECT_LE(worst[k], 16);
-    }
 }
 
 // theta_x = theta_y = 0 is plain GGX in a frame turned about n.

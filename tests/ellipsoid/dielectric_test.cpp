@@ -104,8 +104,8 @@ struct Views {
   }
 };
 
-// theta = 0: wi and side of the plain functions with separable masking, to the bit but for the sign of zeros, and their
-// densities and weights within a few eps.
+// theta = 0, as constants: the bits of the plain functions with separable masking; as a column of theta_z: the same
+// side and wi, and densities and weights within a few eps.
 TEST(Dielectric, IsPlainWithoutAngles) {
   constexpr std::size_t kCount = 1 << 15;
   Directions wo = Views(kCount, 1).wo;
@@ -118,18 +118,17 @@ TEST(Dielectric, IsPlainWithoutAngles) {
     eta[i] = float(random.log_uniform(0.4, 2.5));
   }
   Columns2 alpha{alpha_x.data(), alpha_y.data()};
-  double worst[4] = {};
-  auto keep = [](double& max, double a, double b) {
-    if (a != b) max = std::max(max, std::fabs(a / b - 1) / kEps);
-  };
   for (Warp warp : kWarps) {
     Samples plain(kCount), other(kCount);
     Values there(kCount), here(kCount);
     sample_dielectric(warp, kCount, wo.in(), alpha, eta.data(), u.in(), plain.dielectric(), Masking::separable);
     evaluate_dielectric(kCount, wo.in(), plain.wi.in(), alpha, eta.data(), there.out(), Masking::separable);
-    for (bool tilted : {false, true}) {
-      Column angle = tilted ? Column(zero.data()) : Column(0.f);
-      Ellipsoid e(alpha, angle, angle, zero.data());
+    for (bool turned : {false, true}) {
+      Ellipsoid e(alpha, 0.f, 0.f, turned ? Column(zero.data()) : Column(0.f));
+      double worst = 0;
+      auto keep = [&](double a, double b) {
+        if (a != b) worst = std::max(worst, std::fabs(a / b - 1) / kEps);
+      };
       sample_dielectric(warp, kCount, wo.in(), e, eta.data(), u.in(), other.dielectric());
       evaluate_dielectric(kCount, wo.in(), plain.wi.in(), e, eta.data(), here.out());
       for (std::size_t i = 0; i < kCount; ++i) {
@@ -137,17 +136,14 @@ TEST(Dielectric, IsPlainWithoutAngles) {
         ASSERT_EQ(plain.wi.x[i], other.wi.x[i]) << i;
         ASSERT_EQ(plain.wi.y[i], other.wi.y[i]) << i;
         ASSERT_EQ(plain.wi.z[i], other.wi.z[i]) << i;
-        keep(worst[0], other.pdf[i], plain.pdf[i]);
-        keep(worst[1], other.weight[i], plain.weight[i]);
-        keep(worst[2], here.pdf[i], there.pdf[i]);
-        keep(worst[3], here.f_cos[i], there.f_cos[i]);
+        keep(other.pdf[i], plain.pdf[i]);
+        keep(other.weight[i], plain.weight[i]);
+        keep(here.pdf[i], there.pdf[i]);
+        keep(here.f_cos[i], there.f_cos[i]);
       }
+      EXPECT_LE(worst, turned ? 4 : 0);
     }
   }
-  std::printf("pdf %.1f, weight %.1f, evaluated pdf %.1f, f cos %.1f eps from plain\n", worst[0], worst[1], worst[2],
-              worst[3]);
-  for (int k : {0, 1}) EXPECT_LE(worst[k], 8);
-  for (int k : {2, 3}) EXPECT_LE(worst[k], 20);
 }
 
 // The papers' formulas in long double, for pairs that are sampled and for any; and what is impossible is 0.
@@ -257,7 +253,7 @@ TEST(Dielectric, SampleAgreesWithEvaluate) {
         }
   std::printf("densities agree within %.2f eps times conditioning, weights within %.1f eps\n", worst, worst_weight);
   EXPECT_LE(worst, 16);
-  EXPECT_LE(worst_weight, 12);
+  EXPECT_LE(worst_weight, 24);  // a sample's weight takes A wi with A as floats
 }
 
 // wi on both sides, and the share that is lost, against the density that evaluate_dielectric states; and the mean

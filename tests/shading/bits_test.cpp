@@ -3,6 +3,8 @@
 #include <cmath>
 #include <string>
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "reference/hard_cases.h"
@@ -18,7 +20,6 @@ using testing::KeepIsa;
 using testing::on_every_isa;
 using testing::results;
 using testing::same_bits;
-using testing::without_signs_of_zeros;
 
 class Bits : public ::testing::TestWithParam<Operation> {
  protected:
@@ -81,7 +82,13 @@ TEST_P(Bits, ConstantsGiveTheBitsOfRepeatedValues) {
   std::vector<std::size_t> sets = {0};
   for (std::size_t c = 0; c < in.size(); ++c)
     if (GetParam().inputs[c] == 'a' || GetParam().inputs[c] == 't') sets[0] |= std::size_t(1) << c;
+  std::size_t whole_shape = sets[0];
   for (std::size_t set = 1; set < std::size_t(1) << in.size(); set += 1 + set / 5) sets.push_back(set);
+  // What only turns goes another way as soon as something of the shape is a column; see ellipsoid/accuracy_test.cpp.
+  if (GetParam().name.find("_turned") != std::string::npos)
+    sets.erase(
+        std::remove_if(sets.begin(), sets.end(), [&](std::size_t set) { return (set & whole_shape) == whole_shape; }),
+        sets.end());
   on_every_isa([&] {
     for (std::size_t constants : sets)
       for (std::size_t row : {constants % 275, (constants + 100) % 275}) {
@@ -90,7 +97,7 @@ TEST_P(Bits, ConstantsGiveTheBitsOfRepeatedValues) {
         for (std::size_t c = 0; c < in.size(); ++c) {
           bool constant = constants >> c & 1;
           float value = in[c][row];
-          // theta = 0 is told apart, see below.
+          // The constant 0 is told apart.
           if (GetParam().inputs[c] == 't' && value == 0) value = 0.25f;
           if (constant) repeated[c].assign(275, value);
           mixed.push_back(constant ? Column(value) : Column(repeated[c].data()));
@@ -98,11 +105,6 @@ TEST_P(Bits, ConstantsGiveTheBitsOfRepeatedValues) {
         Table out(GetParam().outputs, std::vector<float>(275));
         GetParam().run(275, mixed, results(out));
         Table expected = evaluate(GetParam(), repeated);
-        // Shapes that only turn take other ways, which give zeros of the other sign.
-        if (GetParam().name.find("_turned") != std::string::npos) {
-          expected = without_signs_of_zeros(expected);
-          out = without_signs_of_zeros(out);
-        }
         ASSERT_TRUE(same_bits(expected, out)) << constants;
       }
   });

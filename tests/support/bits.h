@@ -39,14 +39,6 @@ inline ::testing::AssertionResult same_bits(const Table& expected, const Table& 
   return ::testing::AssertionSuccess();
 }
 
-/// -0 as 0, for tables that may differ in the signs of zeros.
-inline Table without_signs_of_zeros(Table table) {
-  for (auto& column : table)
-    for (float& value : column)
-      if (value == 0) value = 0.f;
-  return table;
-}
-
 /// Puts the set in use back at the end of a test.
 class KeepIsa {
  public:
