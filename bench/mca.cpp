@@ -51,5 +51,6 @@ VNDF_STAGE(reproject, auto view = load<HemisphereView<F>>(a, i); auto t = load<C
            store(reproject(view, t, squish(view, t)), out, i))
 VNDF_STAGE(map_from_hemisphere, store(map_from_hemisphere(load<Vec3<F>>(a, i), load<Vec2<F>>(b, i)), out, i))
 VNDF_STAGE(sample_cap,
-           store(sample_cap(load<Vec3<F>>(a, i), load<Vec2<F>>(b, i), load<Vec2<F>>(b + 2 * kBlock, i)), out, i))
+           store(sample_cap(stretch(load<Vec3<F>>(a, i), load<Vec2<F>>(b, i)), load<Vec2<F>>(b + 2 * kBlock, i)), out,
+                 i))
 }

@@ -11,7 +11,7 @@
 #include <vndf/ellipsoid.h>
 
 #include "arguments.h"
-#include "ellipsoid/model.h"
+#include "ellipsoid/cases.h"
 #include "ellipsoid/rejection.h"
 #include "in_parallel.h"
 #include "json.h"
@@ -21,7 +21,6 @@ namespace {
 
 using namespace vndf;
 using namespace vndf::ellipsoid;
-using reference::HardCase;
 using reference::Inputs;
 using reference::Random;
 using report::number;
@@ -72,93 +71,20 @@ Options parse(int argc, char** argv) {
 
 // --- Errors ----------------------------------------------------------------------------------------------------------
 
-/// A hard case of plain GGX with angles added: theta_x and theta_y up to `lean` either way, any theta_z.
-struct Row {
-  HardCase inputs;
-  double lean;
-};
-
-std::vector<Row> rows() {
-  constexpr double kLean = 0.5, kAny = 3.1415;
-  std::vector<Row> rows;
-  auto known = [&](const char* name) {
-    for (const HardCase& row : reference::hard_cases())
-      if (std::string(row.name) == name) return row;
-    std::abort();
-  };
-  auto with_alpha = [&](const char* name, const char* description, std::array<double, 2> (*alpha)(Random&)) {
-    HardCase row = known("typical");
-    row.name = name;
-    row.description = description;
-    row.alpha = alpha;
-    return row;
-  };
-  auto small = [](Random& random) {
-    return std::array<double, 2>{random.log_uniform(1e-3, 1e-2), random.log_uniform(1e-3, 1e-2)};
-  };
-  auto any = [](Random& random) {
-    return std::array<double, 2>{random.log_uniform(1e-3, 1), random.log_uniform(1e-3, 1)};
-  };
-  for (const char* name : {"typical", "grazing", "normal_incidence"}) rows.push_back({known(name), kLean});
-  rows.push_back({with_alpha("small_alpha", "cos in [0, 1], alpha in [1e-3, 1e-2]", small), kLean});
-  rows.push_back({with_alpha("any_alpha", "cos in [0, 1], alpha in [1e-3, 1]", any), kLean});
-  rows.push_back({known("below_horizon"), kLean});
-  rows.push_back({with_alpha("any_angle", "typical, leaning up to half a turn", known("typical").alpha), kAny});
-  rows.push_back({with_alpha("any_angle_small_alpha", "small alpha, leaning up to half a turn", small), kAny});
-  return rows;
-}
-
-struct Angles {
-  std::vector<float> x, y, z;
-};
-
-Parameters parameters(const Inputs& in, const Angles& theta, std::size_t i) {
-  return {in.alpha_x[i], in.alpha_y[i], theta.x[i], theta.y[i], theta.z[i]};
-}
-
-Angles random_angles(std::size_t count, double lean) {
-  Angles theta;
-  for (std::size_t i = 0; i < count; ++i) {
-    Random random(kSeed + 1, i);
-    theta.x.push_back(float(random.uniform(-lean, lean)));
-    theta.y.push_back(float(random.uniform(-lean, lean)));
-    theta.z.push_back(float(random.uniform(-kPi<double>, kPi<double>)));
-  }
-  return theta;
-}
-
-/// Where A n points below the horizon the cap's azimuth begins elsewhere, and which sample belongs to which u is
-/// another choice than the model's.
-void leave_out_other_azimuths(Inputs& in, Angles& theta) {
-  std::vector<bool> out;
-  for (std::size_t i = 0; i < in.size(); ++i) out.push_back(matrix<double>(parameters(in, theta, i)).c3.z < 0);
-  for (auto* column :
-       {&in.wo_x, &in.wo_y, &in.wo_z, &in.alpha_x, &in.alpha_y, &in.u_x, &in.u_y, &theta.x, &theta.y, &theta.z}) {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < column->size(); ++i)
-      if (!out[i]) (*column)[kept++] = (*column)[i];
-    column->resize(kept);
-  }
-}
-
 /// Walter's plain equations in quadruple precision.
 reference::OracleNormals exact_normals(Warp warp, const Inputs& in, const Angles& theta) {
   reference::OracleNormals normals;
   for (std::size_t i = 0; i < in.size(); ++i) {
-    V3<Quad> psi{in.wo_x[i], in.wo_y[i], in.wo_z[i]};
-    M3<Quad> a = matrix<Quad>(parameters(in, theta, i));
-    Quad u1 = in.u_x[i], u2 = in.u_y[i];
-    V3<Quad> m =
-        warp == Warp::spherical_cap ? sample_cap(psi, a, u1, u2) : sample_version_3(psi, a, disk_point(warp, u1, u2));
-    normals.x.push_back(double(m.x));
-    normals.y.push_back(double(m.y));
-    normals.z.push_back(double(m.z));
+    V3<double> m = exact_normal(warp, in, theta, i);
+    normals.x.push_back(m.x);
+    normals.y.push_back(m.y);
+    normals.z.push_back(m.z);
   }
   return normals;
 }
 
 struct Errors {
-  Row row;
+  Case row;
   const char* warp;
   std::size_t samples;
   reference::NormalErrors ellipsoid, plain;
@@ -174,27 +100,24 @@ std::string input_text(const Inputs& in, const Angles& theta, std::size_t i) {
   return text;
 }
 
-Errors measure_errors(const Row& row, int warp, std::size_t samples) {
+Errors measure_errors(const Case& row, int warp, std::size_t samples) {
   Inputs in = generate(row.inputs, kWarps[warp], samples, kSeed);
-  Angles theta = random_angles(samples, row.lean);
-  if (kWarps[warp] == Warp::spherical_cap) leave_out_other_azimuths(in, theta);
+  Angles theta(samples, row.lean, kSeed + 1);
 
   Directions wm(in.size());
   auto distance = [&](const reference::OracleNormals& exact) {
     return reference::measure(in, exact, wm.x.data(), wm.y.data(), wm.z.data());
   };
   Errors errors{row, kWarpNames[warp], in.size(), {}, {}, {}};
-  Ellipsoid ellipsoid(in.alpha(), theta.x.data(), theta.y.data(), theta.z.data());
-  sample_normals(kWarps[warp], in.size(), in.wo(), ellipsoid, in.u(), wm.out());
+  sample_normals(kWarps[warp], in.size(), in.wo(), theta.with(in.alpha()), in.u(), wm.out());
   errors.ellipsoid = distance(exact_normals(kWarps[warp], in, theta));
   sample_normals(kWarps[warp], in.size(), in.wo(), in.alpha(), in.u(), wm.out());
   errors.plain = distance(oracle_normals(kWarps[warp], in));
-  if (in.size() > 0) errors.worst_input = input_text(in, theta, errors.ellipsoid.worst);
+  errors.worst_input = input_text(in, theta, errors.ellipsoid.worst);
   return errors;
 }
 
-// --- Ellipsoids with a view
-// --------------------------------------------------------------------------------------------
+// --- Ellipsoids with a view ------------------------------------------------------------------------------------------
 
 struct Setting {
   const char* name;
@@ -259,8 +182,7 @@ std::vector<double> density(const Setting& setting, int size) {
   return grid;
 }
 
-// --- JSON
-// --------------------------------------------------------------------------------------------------------------
+// --- JSON ------------------------------------------------------------------------------------------------------------
 
 void write_errors(std::FILE* file, const char* implementation, const Errors& errors,
                   const reference::NormalErrors& found, const char* worst_input) {
@@ -294,7 +216,7 @@ int main(int argc, char** argv) {
   Options options = parse(argc, argv);
   std::FILE* file = report::open_output(options.out);
 
-  const std::vector<Row> all = rows();
+  const std::vector<Case> all = cases();
   std::vector<Errors> errors(3 * all.size());
   std::vector<Rejection> rejections(kRejectingCount);
   std::mutex terminal;
@@ -316,7 +238,7 @@ int main(int argc, char** argv) {
 
   std::fputs("{\"row_notes\": {", file);
   const char* separator = "\n";
-  for (const Row& row : all) {
+  for (const Case& row : all) {
     std::fprintf(file, "%s\"%s\": \"%s\"", separator, row.inputs.name, row.inputs.description);
     separator = ",\n";
   }

@@ -229,9 +229,7 @@ ERROR_CAPTION = (
     "Distances of the ellipsoid's normals from Walter's formulas in quadruple precision, and, in grey below each, "
     "those of plain GGX for the same views, roughnesses and random numbers from its own exact normals. Ellipsoids "
     "lean by up to half a radian in θx and in θy, in the rows named “any angle” by up to half a turn, and turn by any "
-    "θz. A leaning ellipsoid sees the view through sums of products, which can cancel; plain GGX has none there. The cap's "
-    "rows leave out ellipsoids that lean past the horizon: there another normal than the model's belongs to the same "
-    "random numbers, and is as right."
+    "θz; the rows named “turned” have θz alone."
 )
 
 

@@ -8,13 +8,12 @@
 
 #include <vndf/lanes.h>
 
-#include "ellipsoid/model.h"
-#include "reference/hard_cases.h"
+#include "ellipsoid/cases.h"
 
 namespace vndf::ellipsoid {
 namespace {
 
-using reference::Random;
+using reference::Inputs;
 constexpr double kEps = 0x1p-24;
 
 // |theta| <= pi.
@@ -34,131 +33,107 @@ TEST(Angle, Accuracy) {
   EXPECT_EQ(lanes::as<float>(zero.sin), 0.f);
 }
 
-struct Batch {
-  std::vector<float> column[10];  // wo, alpha, theta, u
-
-  explicit Batch(std::size_t count) {
-    for (auto& c : column) c.resize(count);
-  }
-  std::size_t size() const { return column[0].size(); }
-  Columns3 wo() const { return {column[0].data(), column[1].data(), column[2].data()}; }
-  Columns2 alpha() const { return {column[3].data(), column[4].data()}; }
-  Ellipsoid ellipsoid() const { return {alpha(), column[5].data(), column[6].data(), column[7].data()}; }
-  Columns2 u() const { return {column[8].data(), column[9].data()}; }
-};
-
-V3<double> exact_normal(Warp warp, const float (&in)[10]) {
-  V3<Quad> psi{in[0], in[1], in[2]};
-  M3<Quad> a = matrix<Quad>({in[3], in[4], in[5], in[6], in[7]});
-  Quad u1 = in[8], u2 = in[9];
-  auto m =
-      warp == Warp::spherical_cap ? sample_cap(psi, a, u1, u2) : sample_version_3(psi, a, disk_point(warp, u1, u2));
-  return {double(m.x), double(m.y), double(m.z)};
-}
 double distance(const V3<double>& a, const V3<double>& b) {
   auto d = a + -1. * b;
   return std::sqrt(dot(d, d));
 }
 /// How far the normal moves when each of view, alpha and theta moves by half a unit of its last place.
-double conditioning(Warp warp, const float (&in)[10]) {
-  auto at = exact_normal(warp, in);
+double conditioning(Warp warp, const Inputs& in, const Angles& theta, std::size_t i) {
+  V3<float> wo{in.wo_x[i], in.wo_y[i], in.wo_z[i]};
+  Parameters p = parameters(in, theta, i);
+  const float u[2] = {in.u_x[i], in.u_y[i]};
+  auto at = exact_normal(warp, wo, p, u);
   double sum = 0;
-  for (int c = 0; c < 8; ++c) {
-    float moved[10];
-    std::copy(in, in + 10, moved);
-    moved[c] = std::nextafter(in[c], 1e9f);
-    sum += distance(exact_normal(warp, moved), at) / 2;
+  for (float* value : {&wo.x, &wo.y, &wo.z, &p.alpha_x, &p.alpha_y, &p.theta_x, &p.theta_y, &p.theta_z}) {
+    float kept = *value;
+    *value = std::nextafter(kept, 1e30f);
+    sum += distance(exact_normal(warp, wo, p, u), at) / 2;
+    *value = kept;
   }
   return sum;
 }
 
-struct Row {
-  const char* name;
-  double least_alpha, largest_alpha, largest_theta, least_cos, largest_cos;
+struct Bounds {
+  double mean, p999, max;
 };
-constexpr Row kRows[] = {
-    {"typical", 0.05, 1, 0.5, 0, 1},
-    {"grazing", 0.05, 1, 0.5, 0, 1e-3},
-    {"normal_incidence", 0.05, 1, 0.5, 0.999999, 1},
-    {"small_alpha", 1e-3, 1e-2, 0.5, 0, 1},
-    {"any_alpha", 1e-3, 1, 0.5, 0, 1},
-    {"below_horizon", 0.05, 1, 0.5, -1, 0},
-    {"any_angle", 0.05, 1, 3.1, 0, 1},
-    {"any_angle_small_alpha", 1e-3, 1e-2, 3.1, 0, 1},
-};
+// Those of plain GGX (../accuracy_test.cpp), with the same exception: what twice the conditioning explains.
+constexpr Bounds kDisk = {1.2, 8, 40};
+// Beyond half a radian A wo comes close to -A n, where the normal's third component is small.
+constexpr Bounds kAnyAngle = {1.5, 50, 300};
+// The spherical cap loses digits where c is nearly -Vh, and most at its rim: plain GGX has 12 to 25 eps at p99.9 too,
+// and 600 there.
+constexpr Bounds kCap = {2, 100, 20000}, kCapRim = {9, 800, 2000000};
 
-Batch inputs(const Row& row, std::size_t count, std::uint64_t seed) {
-  Batch in(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    Random random(seed, i);
-    double cos = random.uniform(row.least_cos, row.largest_cos), sin = std::sqrt(1 - cos * cos);
-    double phi = random.uniform(0, 2 * kPi<double>);
-    const double values[] = {sin * std::cos(phi),
-                             sin * std::sin(phi),
-                             cos,
-                             random.log_uniform(row.least_alpha, row.largest_alpha),
-                             random.log_uniform(row.least_alpha, row.largest_alpha),
-                             random.uniform(-row.largest_theta, row.largest_theta),
-                             random.uniform(-row.largest_theta, row.largest_theta),
-                             random.uniform(-3.1, 3.1)};
-    for (int c = 0; c < 8; ++c) in.column[c][i] = float(values[c]);
-    in.column[8][i] = random.unit();
-    in.column[9][i] = random.unit();
+class Accuracy : public ::testing::TestWithParam<std::tuple<int, std::size_t>> {
+ protected:
+  static Bounds bounds(Warp warp, const Case& c) {
+    if (warp == Warp::spherical_cap)
+      return c.inputs.name == std::string("rim") || c.inputs.name == std::string("u_ends") ? kCapRim : kCap;
+    return c.lean > 0.5 ? kAnyAngle : kDisk;
   }
-  return in;
-}
+};
+INSTANTIATE_TEST_SUITE_P(, Accuracy,
+                         ::testing::Combine(::testing::Range(0, 3), ::testing::Range(std::size_t(0), cases().size())),
+                         [](const auto& info) {
+                           return std::string(kWarpNames[std::get<0>(info.param)]) + "_" +
+                                  cases()[std::get<1>(info.param)].inputs.name;
+                         });
 
-class Accuracy : public ::testing::TestWithParam<std::tuple<int, int>> {};
-INSTANTIATE_TEST_SUITE_P(
-    , Accuracy, ::testing::Combine(::testing::Range(0, 3), ::testing::Range(0, int(sizeof kRows / sizeof *kRows))),
-    [](const auto& info) {
-      return std::string(kWarpNames[std::get<0>(info.param)]) + "_" + kRows[std::get<1>(info.param)].name;
-    });
-
-// The distance from the exact normal; over 1 + what half a unit in each input moves that normal by, too: with A n
-// leaning, A wo is a sum that can cancel, which it does near the directions where A wo is perpendicular to A n.
 TEST_P(Accuracy, Normals) {
-  constexpr std::size_t kCount = std::size_t(1) << 13;
+  constexpr std::size_t kCount = std::size_t(1) << 15;
   Warp warp = kWarps[std::get<0>(GetParam())];
-  const Row& row = kRows[std::get<1>(GetParam())];
-  Batch in = inputs(row, kCount, 11);
+  Case c = cases()[std::get<1>(GetParam())];
+  Inputs in = generate(c.inputs, warp, kCount, 11);
+  Angles theta(kCount, c.lean, 12);
   Directions wm(kCount);
-  sample_normals(warp, kCount, in.wo(), in.ellipsoid(), in.u(), wm.out());
+  sample_normals(warp, kCount, in.wo(), theta.with(in.alpha()), in.u(), wm.out());
   std::vector<double> errors(kCount);
-  double worst = 0, over_conditioning = 0, worst_opposite = 0;
-  int opposite = 0;
+  double over_conditioning = 0, unexcused = 0, opposite = 0;
+  Bounds bound = bounds(warp, c);
   for (std::size_t i = 0; i < kCount; ++i) {
-    float values[10];
-    for (int c = 0; c < 10; ++c) values[c] = in.column[c][i];
-    // There the cap's azimuth begins elsewhere, and which sample belongs to which u is another choice.
-    if (warp == Warp::spherical_cap && matrix<double>({values[3], values[4], values[5], values[6], values[7]}).c3.z < 0)
-      continue;
-    double error = distance(wm.at(i), exact_normal(warp, values)) / kEps;
+    double error = distance(wm.at(i), exact_normal(warp, in, theta, i)) / kEps;
     errors[i] = error;
-    worst = std::max(worst, error);
-    auto a = matrix<double>({values[3], values[4], values[5], values[6], values[7]});
-    if (dot(direction(a * V3<double>{values[0], values[1], values[2]}), direction(a.c3)) < -0.999) {
-      ++opposite;
-      worst_opposite = std::max(worst_opposite, error);
-    }
-    if (error > 10) over_conditioning = std::max(over_conditioning, error / (1 + conditioning(warp, values) / kEps));
+    auto a = matrix<double>(parameters(in, theta, i));
+    V3<double> psi{in.wo_x[i], in.wo_y[i], in.wo_z[i]};
+    if (dot(direction(a * psi), direction(a.c3)) < -0.999) opposite = std::max(opposite, error);
+    if (error <= 10) continue;
+    double moved = conditioning(warp, in, theta, i) / kEps;
+    over_conditioning = std::max(over_conditioning, error / (1 + moved));
+    // On the rim itself, u = 0, plain GGX has 2^-26 / alpha too: what keeps its e above 0.
+    bool on_rim = in.u_x[i] == 0 || in.u_y[i] == 0;
+    double rim = on_rim ? 0.25 / std::min(in.alpha_x[i], in.alpha_y[i]) : 0;
+    if (error > std::max(2 * moved, rim)) unexcused = std::max(unexcused, error);
   }
   double mean = 0;
   for (double e : errors) mean += e / double(kCount);
   std::sort(errors.begin(), errors.end());
   double p999 = errors[kCount - 1 - kCount / 1000];
   std::printf(
-      "%s %s: mean %.2f, p99.9 %.1f, max %.1f eps; max over conditioning %.1f; %d with A psi "
-      "within 0.045 of -A n, max %.1f\n",
-      kWarpNames[std::get<0>(GetParam())], row.name, mean, p999, worst, over_conditioning, opposite, worst_opposite);
-  if (warp == Warp::spherical_cap) return;
-  EXPECT_LE(over_conditioning, 8);
-  if (row.largest_theta <= 0.5 && row.least_alpha >= 0.05 && row.least_cos >= 0) {
-    EXPECT_LE(mean, 2.2);
-    EXPECT_LE(p999, 40);
-    EXPECT_LE(worst, 160);
-  }
+      "%s %s: mean %.2f, p99.9 %.1f, max %.1f eps, %.1f times conditioning; unexcused %.1f; A wo within 0.045 of "
+      "-A n: %.1f\n",
+      kWarpNames[std::get<0>(GetParam())], c.inputs.name, mean, p999, errors.back(), over_conditioning, unexcused,
+      opposite);
+  EXPECT_LE(mean, bound.mean);
+  EXPECT_LE(p999, bound.p999);
+  EXPECT_LE(warp == Warp::spherical_cap ? errors.back() : unexcused, bound.max);
 }
+
+/// Inputs of plain GGX, and angles by the same names as the functions take them.
+struct Batch {
+  Inputs in;
+  Angles theta;
+
+  Batch(const char* name, std::size_t count, std::uint64_t seed) : in(0), theta(0, 0, 0) {
+    for (const Case& c : cases())
+      if (c.inputs.name == std::string(name)) {
+        in = generate(c.inputs, Warp::polar, count, seed);
+        theta = Angles(count, c.lean, seed + 1);
+      }
+  }
+  Columns3 wo() const { return in.wo(); }
+  Columns2 alpha() const { return in.alpha(); }
+  Columns2 u() const { return in.u(); }
+};
 
 // theta = 0. As constants: the bits of the plain functions with separable masking. As a column of theta_z, or columns
 // of all: the same but for a few eps.
@@ -190,10 +165,10 @@ TEST(Identity, PlainReflection) {
   constexpr std::size_t kCount = 1 << 16;
   ReflectionOptions options{Masking::separable, false};
   std::vector<float> zeros(kCount);
-  for (int row : {0, 1, 3})
+  for (const char* row : {"typical", "grazing", "small_alpha"})
     for (Warp warp : kWarps)
       for (Zero zero : {Zero::constants, Zero::turned, Zero::tilted}) {
-        Batch in = inputs(kRows[row], kCount, 6);
+        Batch in(row, kCount, 6);
         Ellipsoid ellipsoid = without_angles(zero, in.alpha(), zeros);
         Samples plain(kCount), other(kCount);
         Values there(kCount), here(kCount);
@@ -226,7 +201,7 @@ TEST(Identity, PlainReflection) {
           EXPECT_LE(r.worst, zero == Zero::constants ? 0
                              : zero == Zero::turned  ? r.turned
                                                      : r.tilted)
-              << r.what << " in " << kRows[row].name << ", " << int(zero);
+              << r.what << " in " << row << ", " << int(zero);
         }
       }
 }
@@ -235,15 +210,14 @@ TEST(Identity, PlainReflection) {
 TEST(Identity, TurnedFrame) {
   constexpr std::size_t kCount = 1 << 14;
   for (Warp warp : {Warp::polar, Warp::concentric}) {
-    Batch in = inputs(kRows[0], kCount, 8);
+    Batch in("typical", kCount, 8);
     Directions turned_wo(kCount), plain(kCount), other(kCount);
     for (std::size_t i = 0; i < kCount; ++i)
-      turned_wo.set(
-          i, rotation<double>(0, 0, in.column[7][i]) * V3<double>{in.column[0][i], in.column[1][i], in.column[2][i]});
+      turned_wo.set(i, rotation<double>(0, 0, in.theta.z[i]) * V3<double>{in.in.wo_x[i], in.in.wo_y[i], in.in.wo_z[i]});
     sample_normals(warp, kCount, turned_wo.in(), in.alpha(), in.u(), plain.out());
-    sample_normals(warp, kCount, in.wo(), Ellipsoid(in.alpha(), 0.f, 0.f, in.column[7].data()), in.u(), other.out());
+    sample_normals(warp, kCount, in.wo(), Ellipsoid(in.alpha(), 0.f, 0.f, in.theta.z.data()), in.u(), other.out());
     for (std::size_t i = 0; i < kCount; ++i) {
-      auto back = transposed_times(rotation<double>(0, 0, in.column[7][i]), plain.at(i));
+      auto back = transposed_times(rotation<double>(0, 0, in.theta.z[i]), plain.at(i));
       ASSERT_LE(distance(back, other.at(i)), 200 * kEps) << i;
     }
   }
@@ -252,7 +226,7 @@ TEST(Identity, TurnedFrame) {
 // c A and Q A: the same normals from the disk, the same densities.
 TEST(Invariance, FactorsAndOrthogonalMatrices) {
   constexpr std::size_t kCount = 1 << 12;
-  Batch in = inputs(kRows[0], kCount, 9);
+  Batch in("typical", kCount, 9);
   for (const Parameters& p : {Parameters{0.3f, 0.5f, 0.2f, -0.4f, 1.f}, Parameters{0.1f, 0.6f, -0.5f, 0.3f, 2.f}}) {
     Directions expected(kCount), normals(kCount);
     sample_normals(Warp::polar, kCount, in.wo(), p.ellipsoid(), in.u(), expected.out());

@@ -174,12 +174,15 @@ V3<R> turned_to_z(const V3<R>& v, const V3<R>& t) {
   V3<R> half = t + V3<R>{0, 0, 1};
   return v + (-dot(half, v) / (1 + t.z)) * half + V3<R>{0, 0, 2 * dot(t, v)};
 }
-/// Q A / |A n|, for the grids, and for the cap, whose azimuth has to begin somewhere.
+/// Q A / |A n|, for the grids, and for the cap, whose azimuth has to begin somewhere. Where A n is below the horizon, Q
+/// is half a turn about x and then the shortest way.
 template <class R>
 M3<R> upright(const M3<R>& a) {
-  V3<R> t = direction(a.c3);
+  R sign = a.c3.z < 0 ? -1 : 1;
+  auto half = [&](const V3<R>& v) { return V3<R>{v.x, sign * v.y, sign * v.z}; };
+  V3<R> t = direction(half(a.c3));
   R inv = 1 / square_root(dot(a.c3, a.c3));
-  return {inv * turned_to_z(a.c1, t), inv * turned_to_z(a.c2, t), {0, 0, 1}};
+  return {inv * turned_to_z(half(a.c1), t), inv * turned_to_z(half(a.c2), t), {0, 0, 1}};
 }
 /// Dupuy and Benyoub 2023, Listing 3, with A in place of diag(alpha_x, alpha_y, 1).
 template <class R>
