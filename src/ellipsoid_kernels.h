@@ -19,39 +19,26 @@ struct OneShapes {
   static VNDF_INLINE Columns2 alpha(const Shape&) { return {0.f, 0.f}; }
 };
 
-template <class Kernel, std::size_t N, std::size_t M, class... Angles>
-VNDF_INLINE void run_with_angles(std::size_t count, const Column* const (&columns)[N], float* const (&results)[M],
-                                 const Angles&... angles) {
-  const Column* all[N + sizeof...(Angles)];
-  for (std::size_t c = 0; c < N; ++c) all[c] = columns[c];
-  std::size_t c = N;
-  ((all[c++] = &angles), ...);
-  Kernel kernel;
-  for_each_block<N + sizeof...(Angles), M>(count, all, results, kernel);
-}
-
-struct AllTurned {
+/// kAngles are the columns of Ellipsoid that `Columns` reads.
+template <template <std::size_t, std::size_t, std::size_t, class> class Columns, Column Ellipsoid::*... kAngles>
+struct EllipsoidColumns {
   template <std::size_t kAlpha, std::size_t kTheta, std::size_t kLanes, class T>
-  using Shapes = TurnedColumns<kAlpha, kTheta, kLanes, T>;
+  using Shapes = Columns<kAlpha, kTheta, kLanes, T>;
 
   template <class Kernel, std::size_t N, std::size_t M>
   static VNDF_INLINE void run(std::size_t count, const Column* const (&columns)[N], const Ellipsoid& ellipsoid,
                               float* const (&results)[M]) {
-    run_with_angles<Kernel>(count, columns, results, ellipsoid.theta_z);
+    const Column* all[N + sizeof...(kAngles)];
+    std::size_t c = 0;
+    for (const Column* column : columns) all[c++] = column;
+    ((all[c++] = &(ellipsoid.*kAngles)), ...);
+    Kernel kernel;
+    for_each_block<N + sizeof...(kAngles), M>(count, all, results, kernel);
   }
   static VNDF_INLINE const Columns2& alpha(const Ellipsoid& ellipsoid) { return ellipsoid.alpha; }
 };
-struct AllTilted {
-  template <std::size_t kAlpha, std::size_t kTheta, std::size_t kLanes, class T>
-  using Shapes = TiltedColumns<kAlpha, kTheta, kLanes, T>;
-
-  template <class Kernel, std::size_t N, std::size_t M>
-  static VNDF_INLINE void run(std::size_t count, const Column* const (&columns)[N], const Ellipsoid& ellipsoid,
-                              float* const (&results)[M]) {
-    run_with_angles<Kernel>(count, columns, results, ellipsoid.theta_x, ellipsoid.theta_y, ellipsoid.theta_z);
-  }
-  static VNDF_INLINE const Columns2& alpha(const Ellipsoid& ellipsoid) { return ellipsoid.alpha; }
-};
+using AllTurned = EllipsoidColumns<TurnedColumns, &Ellipsoid::theta_z>;
+using AllTilted = EllipsoidColumns<TiltedColumns, &Ellipsoid::theta_x, &Ellipsoid::theta_y, &Ellipsoid::theta_z>;
 
 template <Warp warp, class Shapes>
 using Normals =

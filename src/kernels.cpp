@@ -54,13 +54,12 @@ struct NormalsOnDisk {
 
   template <std::size_t N>
   VNDF_INLINE void operator()(const Inputs<N>& in, const Outputs<3>& wm, std::size_t begin, std::size_t end) {
+    shapes.prepare(in, begin, end);
     if (end - begin == kWidth) {
-      shapes.prepare(in, begin, end);
       auto t = chord(map_disk<map>(load_u(in, begin)));
       store(sample_normal_on_chord(load_wo(in, begin), shapes.at(in, begin), t), wm, begin);
       return;
     }
-    shapes.prepare(in, begin, end);
     for (std::size_t i = begin; i < end; i += kWidth) {
       in.template prefetch<0, 1>(i);
       points.store(i, map_disk<map>(load_u(in, i)));
@@ -94,12 +93,11 @@ struct NormalsOnCap {
 
   template <std::size_t N>
   VNDF_INLINE void operator()(const Inputs<N>& in, const Outputs<3>& wm, std::size_t begin, std::size_t end) {
+    shapes.prepare(in, begin, end);
     if (end - begin == kWidth) {
-      shapes.prepare(in, begin, end);
       store(sample_normal_cap(load_wo(in, begin), shapes.load(in, begin), load_u(in, begin)), wm, begin);
       return;
     }
-    shapes.prepare(in, begin, end);
     for (std::size_t i = begin; i < end; i += kWidth) {
       in.template prefetch<0, 1, 2, 5, 6>(i);
       normals.store(i, sample_cap(stretch(load_wo(in, i), shapes.load(in, i)), load_u(in, i)));

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <vector>
 
-#include <vndf/vndf.h>
+#include <vndf/ellipsoid.h>
 
 #include "reference/random.h"
 
@@ -119,6 +119,30 @@ TEST_P(GoldenBits, ShadingStep) {
   expect("sample_dielectric", 0x2db44ad55e76903cu, hash({&x, &y, &z, &pdf, &weight, &other}));
   vndf::evaluate_dielectric(kCount, wo, wi, alpha, 1.5f, {weight.data(), pdf.data()});
   expect("evaluate_dielectric", 0x660ebc474da21c2fu, hash({&weight, &pdf}));
+}
+
+TEST_P(GoldenBits, Ellipsoid) {
+  const Golden& in = inputs();
+  std::vector<float> x(kCount), y(kCount), z(kCount), pdf(kCount), weight(kCount), side(kCount);
+  const vndf::Columns3 wo{in.wo_x.data(), in.wo_y.data(), in.wo_z.data()}, wi{wo.y, wo.z, wo.x};
+  const vndf::Columns2 alpha{in.alpha_x.data(), in.alpha_y.data()}, u{in.u_x.data(), in.u_y.data()};
+  const vndf::Out3 out{x.data(), y.data(), z.data()};
+  const vndf::Ellipsoid constants({0.25f, 0.0625f}, 0.5f, -0.375f, 2.f), turned(alpha, 0.f, 0.f, wo.y),
+      tilted(alpha, wo.y, wo.z, wo.x);
+  auto expect = [&](const char* what, std::uint64_t golden, std::uint64_t found) {
+    EXPECT_EQ(found, golden) << std::hex << std::showbase << what << " gives " << found << ", set " << GetParam();
+  };
+  vndf::sample_normals(vndf::Warp::polar, kCount, wo, constants, u, out);
+  expect("constants", 0xa0a76fff4f38e4cfu, hash({&x, &y, &z}));
+  vndf::sample_reflection(vndf::Warp::concentric, kCount, wo, turned, u, {out, pdf.data(), weight.data()});
+  expect("turned", 0x2a7d6758c039bb2au, hash({&x, &y, &z, &pdf, &weight}));
+  vndf::sample_reflection(vndf::Warp::spherical_cap, kCount, wo, tilted, u, {out, pdf.data(), weight.data()});
+  expect("tilted", 0xbc5937a4ed9301edu, hash({&x, &y, &z, &pdf, &weight}));
+  vndf::evaluate_reflection(kCount, wo, wi, tilted, {weight.data(), pdf.data()});
+  expect("evaluate_reflection", 0x9b834b6636ec48e1u, hash({&weight, &pdf}));
+  vndf::sample_dielectric(vndf::Warp::polar, kCount, wo, tilted, 1.5f, {u.x, u.y, alpha.x},
+                          {out, pdf.data(), weight.data(), side.data()});
+  expect("sample_dielectric", 0xf65cde2368dac55bu, hash({&x, &y, &z, &pdf, &weight, &side}));
 }
 
 std::vector<const char*> names() {

@@ -45,6 +45,17 @@ class Arguments {
     return number;
   }
 
+  /// Answers the options that all programs have, and says whether this was one.
+  bool common(const char* help, std::string& out) {
+    if (is("--help")) {
+      std::fputs(help, stdout);
+      std::exit(0);
+    }
+    if (!is("--out")) return false;
+    out = value();
+    return true;
+  }
+
   [[noreturn]] void unknown() const { fail(std::string("unknown argument '") + *next_ + "'"); }
 
   /// One line on stderr, status 2.

@@ -49,10 +49,8 @@ Options parse(int argc, char** argv) {
   Options options;
   report::Arguments arguments(argc, argv);
   while (arguments.more()) {
-    if (arguments.is("--help")) {
-      std::fputs(kHelp, stdout);
-      std::exit(0);
-    } else if (arguments.is("--samples")) {
+    if (arguments.common(kHelp, options.out)) continue;
+    if (arguments.is("--samples")) {
       options.samples = std::size_t(arguments.number(1, 1 << 24));
     } else if (arguments.is("--kept")) {
       options.kept = std::size_t(arguments.number(1, 1 << 24));
@@ -60,8 +58,6 @@ Options parse(int argc, char** argv) {
       options.size = int(arguments.number(2, 4096));
     } else if (arguments.is("--threads")) {
       options.threads = unsigned(arguments.number(1, 1024));
-    } else if (arguments.is("--out")) {
-      options.out = arguments.value();
     } else {
       arguments.unknown();
     }

@@ -52,10 +52,8 @@ Options parse(int argc, char** argv) {
   Options options;
   report::Arguments arguments(argc, argv);
   while (arguments.more()) {
-    if (arguments.is("--help")) {
-      std::fputs(kHelp, stdout);
-      std::exit(0);
-    } else if (arguments.is("--samples")) {
+    if (arguments.common(kHelp, options.out)) continue;
+    if (arguments.is("--samples")) {
       options.samples = std::size_t(arguments.number(1, 1 << 28));
     } else if (arguments.is("--peer-samples")) {
       options.peer_samples = std::size_t(arguments.number(1, 1 << 28));
@@ -67,8 +65,6 @@ Options parse(int argc, char** argv) {
       if (std::none_of(hard_cases().begin(), hard_cases().end(), named)) {
         arguments.fail("no hard case is called '" + options.only + "'");
       }
-    } else if (arguments.is("--out")) {
-      options.out = arguments.value();
     } else {
       arguments.unknown();
     }

@@ -179,13 +179,9 @@ int main(int argc, char** argv) {
   std::string out = "-";
   report::Arguments arguments(argc, argv);
   while (arguments.more()) {
-    if (arguments.is("--help")) {
-      std::fputs(kHelp, stdout);
-      return 0;
-    } else if (arguments.is("--points")) {
+    if (arguments.common(kHelp, out)) continue;
+    if (arguments.is("--points")) {
       points = int(arguments.number(1, 1 << 20));
-    } else if (arguments.is("--out")) {
-      out = arguments.value();
     } else {
       arguments.unknown();
     }

@@ -118,6 +118,50 @@ TEST_P(Accuracy, Normals) {
   EXPECT_LE(warp == Warp::spherical_cap ? errors.back() : unexcused, bound.max);
 }
 
+// Densities and weights for given directions, against the plain formulas in long double: relatively, the density of
+// normals times wo.wm, and a sample's weight for the wi that it has. As for plain GGX 25 eps; but h = wo + wi and wm
+// are rounded by component, which A^-T mixes, and D magnifies what that loses by 2 / alpha.
+TEST(Densities, Accuracy) {
+  using R = long double;
+  constexpr std::size_t kCount = std::size_t(1) << 14;
+  for (const Case& c : cases())
+    for (Warp warp : kWarps) {
+      Inputs in = generate(c.inputs, warp, kCount, 13);
+      Angles theta(kCount, c.lean, 14);
+      Ellipsoid e = theta.with(in.alpha());
+      Samples s(kCount);
+      Values value(kCount);
+      std::vector<float> pdf(kCount);
+      sample_reflection(warp, kCount, in.wo(), e, in.u(), s.with_normals());
+      evaluate_reflection(kCount, in.wo(), s.wi.in(), e, value.out());
+      pdf_normals(kCount, in.wo(), s.wm.in(), e, pdf.data());
+      struct {
+        const char* what;
+        double bound;
+        R worst;
+      } rows[] = {{"pdf of normals", 1, 0}, {"evaluated pdf", 1, 0}, {"f cos", 1, 0}, {"weight", 0.5, 0}};
+      for (std::size_t i = 0; i < kCount; ++i) {
+        V3<R> wo{in.wo_x[i], in.wo_y[i], in.wo_z[i]}, wm = s.wm.at<R>(i), wi = s.wi.at<R>(i);
+        if (std::fabs(dot(wo, wo) - 1) > 1e-6L) continue;
+        auto a = matrix<R>(parameters(in, theta, i));
+        R unit = std::fmax(R(25), 4 + 2 / R(std::min(in.alpha_x[i], in.alpha_y[i]))) * R(kEps);
+        auto keep = [&](int k, R error) { rows[k].worst = std::max(rows[k].worst, std::fabs(error) / unit); };
+        // The library's density is homogeneous in wm but for the cosine.
+        R length = std::sqrt(dot(wm, wm)), cos = dot(wo, wm);
+        if (cos > 1e-6L) keep(0, (pdf[i] / (normal_pdf(wo, (1 / length) * wm, a) * length) - 1) * cos);
+        if (!(s.pdf[i] > 0)) continue;
+        V3<R> h = direction(wo + wi);
+        R exact = ndf(h, a) * ellipsoid_area(V3<R>{0, 0, 1}, a) / (4 * lune_area(wo, a));
+        R f = ndf(h, a) * g1(wo, a) * g1(wi, a) / (4 * wo.z);
+        keep(1, value.pdf[i] / exact - 1);
+        keep(2, value.f_cos[i] / f - 1);
+        keep(3, s.weight[i] / (f / exact) - 1);
+      }
+      for (const auto& row : rows)
+        EXPECT_LE(double(row.worst), row.bound) << row.what << ", " << kWarpNames[int(warp)] << " " << c.inputs.name;
+    }
+}
+
 /// Inputs of plain GGX, and angles by the same names as the functions take them.
 struct Batch {
   Inputs in;

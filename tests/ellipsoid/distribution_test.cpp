@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "ellipsoid/rejection.h"
+#include "shading/sphere.h"
 
 namespace vndf::ellipsoid {
 namespace {
@@ -104,14 +105,9 @@ TEST_P(Every, ChiSquare) {
   for (std::size_t i = 0; i < pdf.size(); ++i)
     expected[grid.bin[i]] += pdf[i] * grid.solid_angle[i] / sum * double(kCount);
   for (int w = 0; w < 3; ++w) {
-    std::vector<float> u1(kCount), u2(kCount);
-    Random random(2015, std::uint64_t(w));
-    for (std::size_t i = 0; i < kCount; ++i) {
-      u1[i] = random.unit();
-      u2[i] = random.unit();
-    }
+    Numbers u(kCount, 2015 + std::uint64_t(w));
     Directions wm(kCount);
-    sample_normals(kWarps[w], kCount, constant(psi()), parameters().ellipsoid(), {u1.data(), u2.data()}, wm.out());
+    sample_normals(kWarps[w], kCount, constant(psi()), parameters().ellipsoid(), {u.a.data(), u.b.data()}, wm.out());
     std::vector<double> counts(kRings * kSectors);
     for (std::size_t i = 0; i < kCount; ++i) {
       ASSERT_GE(wm.z[i], 0);
@@ -134,13 +130,10 @@ TEST_P(Every, WalterVersions1And2) {
   Tries second = sample_by_rejection(Version2(parameters(), psi()), random, kWanted, counting(second_counts));
 
   constexpr std::size_t kCount = std::size_t(1) << 17;
-  std::vector<float> u1(kCount), u2(kCount);
-  for (std::size_t i = 0; i < kCount; ++i) {
-    u1[i] = random.unit();
-    u2[i] = random.unit();
-  }
+  Numbers u(kCount, 3);
   Directions wm(kCount);
-  sample_normals(Warp::concentric, kCount, constant(psi()), parameters().ellipsoid(), {u1.data(), u2.data()}, wm.out());
+  sample_normals(Warp::concentric, kCount, constant(psi()), parameters().ellipsoid(), {u.a.data(), u.b.data()},
+                 wm.out());
   std::vector<double> third(kRings * kSectors);
   for (std::size_t i = 0; i < kCount; ++i) ++third[bin_of(wm.at(i), b)];
   std::printf("alpha %.2f %.2f theta %.1f %.1f %.1f, view %.2f %.2f %.2f: rejected %.1f %% (version 1), %.1f %% (2)\n",
@@ -164,16 +157,11 @@ TEST_P(Every, Reflection) {
   V3<D> v = psi();
   EXPECT_LE(lune_area(v, a) * g1(v, a), ellipsoid_area({0, 0, 1}, a) * v.z * (1 + 1e-12));
   for (int w = 0; w < 3; ++w) {
-    std::vector<float> u1(kCount), u2(kCount);
-    Random random(17, std::uint64_t(w));
-    for (std::size_t i = 0; i < kCount; ++i) {
-      u1[i] = random.unit();
-      u2[i] = random.unit();
-    }
+    Numbers u(kCount, 17 + std::uint64_t(w));
     Samples s(kCount);
     Values there(kCount), back(kCount);
     auto e = parameters().ellipsoid();
-    sample_reflection(kWarps[w], kCount, constant(v), e, {u1.data(), u2.data()}, s.with_normals());
+    sample_reflection(kWarps[w], kCount, constant(v), e, {u.a.data(), u.b.data()}, s.with_normals());
     evaluate_reflection(kCount, constant(v), s.wi.in(), e, there.out());
     evaluate_reflection(kCount, s.wi.in(), constant(v), e, back.out());
     double energy = 0;

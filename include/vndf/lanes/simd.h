@@ -141,6 +141,16 @@ VNDF_INLINE IntBatch<Arch> max(IntBatch<Arch> a, IntBatch<Arch> b) {
   return xsimd::max(a, b);
 }
 
+// Of unsigned integers: a signed shift into the sign bit is undefined.
+template <int bits>
+VNDF_INLINE std::int32_t shift_left(std::int32_t a) {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) << bits);
+}
+template <int bits, class Arch>
+VNDF_INLINE IntBatch<Arch> shift_left(IntBatch<Arch> a) {
+  return a << bits;
+}
+
 /// |a|, by clearing the sign bit.
 template <class F>
 VNDF_INLINE F abs(F a) {

@@ -1,5 +1,5 @@
 // Floats in two parts, for sums of products that may cancel: the products of the first parts are exact, and what is
-// left is so small that its rounding does not matter. Costs a third of doing the same in doubles.
+// left is so small that its rounding does not matter.
 #pragma once
 
 #include <vndf/lanes/simd.h>
@@ -55,9 +55,8 @@ template <class F>
 VNDF_INLINE F sum_of_products(F a, F x, F b, F y) {
   return a * x + b * y;
 }
-/// The same to 2^-34 of the larger product, and for x = 0 or y = 0 rounded but once.
-///
-/// Where the first sum is rounded it is not small.
+/// The same, but for the rounding of the result to 2^-34 of the larger product: where the first sum is rounded, it is
+/// not small.
 template <class F>
 VNDF_INLINE F sum_of_products(const Split<F>& a, F x, const Split<F>& b, F y) {
   auto p = split(x), q = split(y);
