@@ -62,8 +62,8 @@ const char* message(ShapeError error) noexcept;
 ///
 /// Largest error, in eps = 2^-24, against Walter's eq. 34-47 with A itself in quadruple precision, on 2^15 samples of
 /// each row of tests/ellipsoid/accuracy_test.cpp, polar and concentric: for |theta_x|, |theta_y| <= 0.5 and alpha from
-/// 1e-3 to 1 mean 1.1, p99.9 6.4, largest 43 but where twice what half a unit of the last place of the inputs moves the
-/// exact normal by is more (372), and for u = 0 exactly 2^-26 / alpha. For any angles mean 1.2, p99.9 18, largest 141.
+/// 1e-3 to 1 mean 1.1, p99.9 6.5, largest 43 but where twice what half a unit of the last place of the inputs moves the
+/// exact normal by is more (374), and for u = 0 exactly 2^-26 / alpha. For any angles mean 1.2, p99.9 20, largest 81.
 /// The cap: mean 1.3, p99.9 33, largest 1360; at the rim of the disk mean 7.3, p99.9 480, largest 51 000; for any
 /// angles mean 1.5, p99.9 69, largest 1710.
 ///
