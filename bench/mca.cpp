@@ -50,7 +50,7 @@ VNDF_STAGE(map_to_hemisphere, store(map_to_hemisphere(stretch(load<Vec3<F>>(a, i
 VNDF_STAGE(reproject, auto view = load<HemisphereView<F>>(a, i); auto t = load<Chord<F>>(b, i);
            store(reproject(view, t, squish(view, t)), out, i))
 VNDF_STAGE(map_from_hemisphere, store(map_from_hemisphere(load<Vec3<F>>(a, i), load<Vec2<F>>(b, i)), out, i))
-VNDF_STAGE(sample_cap,
-           store(sample_cap(stretch(load<Vec3<F>>(a, i), load<Vec2<F>>(b, i)), load<Vec2<F>>(b + 2 * kBlock, i)), out,
-                 i))
+VNDF_STAGE(visible_cap_of, store(visible_cap_of(stretch(load<Vec3<F>>(a, i), load<Vec2<F>>(b, i))), out, i))
+VNDF_STAGE(on_visible_cap,
+           store(on_visible_cap(load<CapAtView<F>>(a, i), sincos2pi(load<F>(b, i)), load<F>(b + kBlock, i)), out, i))
 }

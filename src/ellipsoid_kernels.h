@@ -3,28 +3,28 @@
 
 namespace {
 
-// A kind of shapes: which columns the kernels read besides those of the function. The alpha of one shape is not read,
-// and any column stands for it.
+// A kind of surfaces, for sampling and for given pairs of directions: which columns the kernels read besides those of
+// the function. The alpha of one shape is not read, and any column stands for it.
 struct OneShapes {
+  using Masked = lanes::Lunes;
   template <std::size_t kAlpha, std::size_t kTheta, std::size_t kLanes, class T>
-  using Shapes = OneShape;
+  using Surfaces = Surface<GivenFrame, OneShape>;
+  template <std::size_t kAlpha, std::size_t kTheta>
+  using ForPairs = Surface<GivenFrame, OneShape>;
 
   template <class Kernel, std::size_t N, std::size_t M>
   static VNDF_INLINE void run(std::size_t count, const Column* const (&columns)[N], const Shape& shape,
                               float* const (&results)[M]) {
     Kernel kernel;
-    kernel.shapes.set(shape);
+    kernel.surface.shape.set(shape);
     for_each_block<N, M>(count, columns, results, kernel);
   }
   static VNDF_INLINE Columns2 alpha(const Shape&) { return {0.f, 0.f}; }
 };
 
-/// kAngles are the columns of Ellipsoid that `Columns` reads.
-template <template <std::size_t, std::size_t, std::size_t, class> class Columns, Column Ellipsoid::*... kAngles>
+/// kAngles are the columns of Ellipsoid that are read.
+template <Column Ellipsoid::*... kAngles>
 struct EllipsoidColumns {
-  template <std::size_t kAlpha, std::size_t kTheta, std::size_t kLanes, class T>
-  using Shapes = Columns<kAlpha, kTheta, kLanes, T>;
-
   template <class Kernel, std::size_t N, std::size_t M>
   static VNDF_INLINE void run(std::size_t count, const Column* const (&columns)[N], const Ellipsoid& ellipsoid,
                               float* const (&results)[M]) {
@@ -37,12 +37,24 @@ struct EllipsoidColumns {
   }
   static VNDF_INLINE const Columns2& alpha(const Ellipsoid& ellipsoid) { return ellipsoid.alpha; }
 };
-using AllTurned = EllipsoidColumns<TurnedColumns, &Ellipsoid::theta_z>;
-using AllTilted = EllipsoidColumns<TiltedColumns, &Ellipsoid::theta_x, &Ellipsoid::theta_y, &Ellipsoid::theta_z>;
+struct AllTurned : EllipsoidColumns<&Ellipsoid::theta_z> {
+  using Masked = lanes::Separable;  // what eq. 6 is without theta_x and theta_y
+  template <std::size_t kAlpha, std::size_t kTheta, std::size_t kLanes, class T>
+  using Surfaces = Surface<TurnedFrame<kTheta, kLanes, T>, AlphaColumns<kAlpha>>;
+  template <std::size_t kAlpha, std::size_t kTheta>
+  using ForPairs = Surface<GivenFrame, TurnedColumns<kAlpha, kTheta>>;
+};
+struct AllTilted : EllipsoidColumns<&Ellipsoid::theta_x, &Ellipsoid::theta_y, &Ellipsoid::theta_z> {
+  using Masked = lanes::Lunes;
+  template <std::size_t kAlpha, std::size_t kTheta, std::size_t kLanes, class T>
+  using Surfaces = Surface<GivenFrame, TiltedColumns<kAlpha, kTheta, kLanes, T>>;
+  template <std::size_t kAlpha, std::size_t kTheta>
+  using ForPairs = Surface<GivenFrame, TiltedColumns<kAlpha, kTheta, kBlock, lanes::Split<F>>>;
+};
 
-template <Warp warp, class Shapes>
+template <Warp warp, class Surface>
 using Normals =
-    std::conditional_t<warp == Warp::spherical_cap, NormalsOnCap<Shapes>, NormalsOnDisk<kDiskMap<warp>, Shapes>>;
+    std::conditional_t<warp == Warp::spherical_cap, NormalsOnCap<Surface>, NormalsOnDisk<kDiskMap<warp>, Surface>>;
 
 /// See sample_normal_cap.
 template <Warp warp>
@@ -52,7 +64,7 @@ template <class Kind, Warp warp, class S>
 void sample_normals_of(std::size_t count, const Columns3& wo, const S& shape, const Columns2& u,
                        const Out3& wm) noexcept {
   const Columns2& alpha = Kind::alpha(shape);
-  Kind::template run<Normals<warp, typename Kind::template Shapes<3, 7, kBlock, Elements<warp>>>>(
+  Kind::template run<Normals<warp, typename Kind::template Surfaces<3, 7, kBlock, Elements<warp>>>>(
       count, {&wo.x, &wo.y, &wo.z, &alpha.x, &alpha.y, &u.x, &u.y}, shape, {wm.x, wm.y, wm.z});
 }
 
@@ -60,8 +72,8 @@ template <class Kind, Warp warp, class S>
 void sample_reflection_of(std::size_t count, const Columns3& wo, const S& shape, const Columns2& u,
                           const ReflectionSamples& out) noexcept {
   const Columns2& alpha = Kind::alpha(shape);
-  Kind::template run<
-      ReflectionKernel<warp, false, lanes::Lunes, typename Kind::template Shapes<3, 7, kShadingBlock, Elements<warp>>>>(
+  Kind::template run<ReflectionKernel<warp, false, typename Kind::Masked,
+                                      typename Kind::template Surfaces<3, 7, kShadingBlock, Elements<warp>>>>(
       count, {&wo.x, &wo.y, &wo.z, &alpha.x, &alpha.y, &u.x, &u.y}, shape,
       {out.wi.x, out.wi.y, out.wi.z, out.pdf, out.weight, out.wm.x, out.wm.y, out.wm.z, out.wo_dot_wm});
 }
@@ -70,8 +82,7 @@ template <class Kind, class S>
 void evaluate_reflection_of(std::size_t count, const Columns3& wo, const Columns3& wi, const S& shape,
                             const Evaluations& out) noexcept {
   const Columns2& alpha = Kind::alpha(shape);
-  Kind::template run<
-      ReflectionEvaluation<false, lanes::Lunes, typename Kind::template Shapes<6, 8, kWidth, lanes::Split<F>>>>(
+  Kind::template run<ReflectionEvaluation<false, typename Kind::Masked, typename Kind::template ForPairs<6, 8>>>(
       count, {&wo.x, &wo.y, &wo.z, &wi.x, &wi.y, &wi.z, &alpha.x, &alpha.y}, shape, {out.f_cos, out.pdf});
 }
 
@@ -79,8 +90,8 @@ template <class Kind, Warp warp, class S>
 void sample_dielectric_of(std::size_t count, const Columns3& wo, const S& shape, const Column& eta, const Columns3& u,
                           const DielectricSamples& out) noexcept {
   const Columns2& alpha = Kind::alpha(shape);
-  Kind::template run<
-      DielectricKernel<warp, lanes::Lunes, typename Kind::template Shapes<3, 9, kShadingBlock, Elements<warp>>>>(
+  Kind::template run<DielectricKernel<warp, typename Kind::Masked,
+                                      typename Kind::template Surfaces<3, 9, kShadingBlock, Elements<warp>>>>(
       count, {&wo.x, &wo.y, &wo.z, &alpha.x, &alpha.y, &u.x, &u.y, &eta, &u.z}, shape,
       {out.wi.x, out.wi.y, out.wi.z, out.pdf, out.weight, out.side});
 }
@@ -89,14 +100,14 @@ template <class Kind, class S>
 void evaluate_dielectric_of(std::size_t count, const Columns3& wo, const Columns3& wi, const S& shape,
                             const Column& eta, const Evaluations& out) noexcept {
   const Columns2& alpha = Kind::alpha(shape);
-  Kind::template run<DielectricEvaluation<lanes::Lunes, typename Kind::template Shapes<6, 9, kWidth, lanes::Split<F>>>>(
+  Kind::template run<DielectricEvaluation<typename Kind::Masked, typename Kind::template ForPairs<6, 9>>>(
       count, {&wo.x, &wo.y, &wo.z, &wi.x, &wi.y, &wi.z, &alpha.x, &alpha.y, &eta}, shape, {out.f_cos, out.pdf});
 }
 
 template <class Kind, class S>
 void pdf_normals_of(std::size_t count, const Columns3& wo, const Columns3& wm, const S& shape, float* pdf) noexcept {
   const Columns2& alpha = Kind::alpha(shape);
-  Kind::template run<NormalDensity<typename Kind::template Shapes<6, 8, kWidth, lanes::Split<F>>>>(
+  Kind::template run<NormalDensity<typename Kind::template ForPairs<6, 8>>>(
       count, {&wo.x, &wo.y, &wo.z, &wm.x, &wm.y, &wm.z, &alpha.x, &alpha.y}, shape, {pdf});
 }
 

@@ -43,21 +43,21 @@ VNDF_INLINE lanes::DiskPoint<F> map_disk(Vec2<F> u) {
   return map == DiskMap::polar ? lanes::polar_map(u) : lanes::concentric_map(u);
 }
 
-template <DiskMap map, class Shapes = AlphaColumns<3>>
+template <DiskMap map, class Surface = PlainSurface<3>>
 struct NormalsOnDisk {
-  Shapes shapes;
+  Surface surface;
   Staged<lanes::DiskPoint<F>> points;
   Staged<lanes::Chord<F>> chords;
   Staged<lanes::HemisphereView<F>> views;
-  StretchedViews<Shapes, AsGiven, kBlock> stretched;
   Staged<Vec3<F>> normals;
 
   template <std::size_t N>
   VNDF_INLINE void operator()(const Inputs<N>& in, const Outputs<3>& wm, std::size_t begin, std::size_t end) {
-    shapes.prepare(in, begin, end);
+    surface.prepare(in, begin, end);
     if (end - begin == kWidth) {
       auto t = chord(map_disk<map>(load_u(in, begin)));
-      store(sample_normal_on_chord(load_wo(in, begin), shapes.at(in, begin), t), wm, begin);
+      auto normal = sample_normal_on_chord(surface.frame.wo(in, begin), surface.shape.at(in, begin), t);
+      store(surface.frame.back(normal, begin), wm, begin);
       return;
     }
     for (std::size_t i = begin; i < end; i += kWidth) {
@@ -66,12 +66,11 @@ struct NormalsOnDisk {
     }
     for (std::size_t i = begin; i < end; i += kWidth) {
       in.template prefetch<2>(i);
-      stretched.prepare(in, shapes, i);
       chords.store(i, chord(points.load(i)));
     }
     for (std::size_t i = begin; i < end; i += kWidth) {
       in.template prefetch<3, 4>(i);
-      views.store(i, map_to_hemisphere(stretched.load(in, shapes, i)));
+      views.store(i, map_to_hemisphere(stretch(surface.frame.wo(in, i), surface.shape.at(in, i))));
     }
     for (std::size_t i = begin; i < end; i += kWidth) {
       in.template prefetch<5>(i);
@@ -81,30 +80,32 @@ struct NormalsOnDisk {
     }
     for (std::size_t i = begin; i < end; i += kWidth) {
       in.template prefetch<6>(i);
-      store(map_from_hemisphere(normals.load(i), shapes.load(in, i)), wm, i);
+      store(surface.frame.back(map_from_hemisphere(normals.load(i), surface.shape.load(in, i)), i), wm, i);
     }
   }
 };
 
-template <class Shapes = AlphaColumns<3>>
+template <class Surface = PlainSurface<3>>
 struct NormalsOnCap {
-  Shapes shapes;
+  Surface surface;
+  Staged<lanes::CapAtView<F>> caps;
   Staged<Vec3<F>> normals;
 
   template <std::size_t N>
   VNDF_INLINE void operator()(const Inputs<N>& in, const Outputs<3>& wm, std::size_t begin, std::size_t end) {
-    shapes.prepare(in, begin, end);
-    if (end - begin == kWidth) {
-      store(sample_normal_cap(load_wo(in, begin), shapes.load(in, begin), load_u(in, begin)), wm, begin);
-      return;
+    surface.prepare(in, begin, end);
+    for (std::size_t i = begin; i < end; i += kWidth) {
+      in.template prefetch<0, 1, 2>(i);
+      caps.store(i, visible_cap_of(stretch(surface.frame.wo(in, i), surface.shape.load(in, i))));
     }
     for (std::size_t i = begin; i < end; i += kWidth) {
-      in.template prefetch<0, 1, 2, 5, 6>(i);
-      normals.store(i, sample_cap(stretch(load_wo(in, i), shapes.load(in, i)), load_u(in, i)));
+      in.template prefetch<5, 6>(i);
+      Vec2<F> u = load_u(in, i);
+      normals.store(i, on_visible_cap(caps.load(i), surface.shape.azimuth(lanes::sincos2pi(u.x), i), u.y));
     }
     for (std::size_t i = begin; i < end; i += kWidth) {
       in.template prefetch<3, 4>(i);
-      store(map_from_hemisphere(normals.load(i), shapes.load(in, i)), wm, i);
+      store(surface.frame.back(map_from_hemisphere(normals.load(i), surface.shape.load(in, i)), i), wm, i);
     }
   }
 };

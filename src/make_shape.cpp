@@ -6,10 +6,10 @@
 
 namespace vndf {
 Shape shape_of(const Ellipsoid& constants) noexcept {
+  auto of = lanes::tilted_shape<float>({constants.alpha.x.value, constants.alpha.y.value}, constants.theta_x.value,
+                                       constants.theta_y.value, constants.theta_z.value);
   Shape shape;
-  ShapeAccess::set(
-      shape, lanes::tilted_shape<float>({constants.alpha.x.value, constants.alpha.y.value}, constants.theta_x.value,
-                                        constants.theta_y.value, constants.theta_z.value));
+  ShapeAccess::set(shape, of.shape, azimuth_of(of));
   return shape;
 }
 
@@ -27,19 +27,19 @@ ShapeError make_shape(const float (&a)[9], Shape& shape) noexcept {
   D3 a1 = {a[0] * scale, a[3] * scale, a[6] * scale};
   D3 a2 = {a[1] * scale, a[4] * scale, a[7] * scale};
   D3 a3 = {a[2] * scale, a[5] * scale, a[8] * scale};
-  double determinant = dot(a1, cross(a2, a3));
-  double n = std::sqrt(dot(a3, a3));
-  if (!(determinant > kFlat * (std::sqrt(dot(a1, a1)) * std::sqrt(dot(a2, a2)) * n))) return ShapeError::not_positive;
+  D3 c1 = cross(a1, a3), c2 = cross(a2, a3);
+  double determinant = dot(a1, c2);
+  double sizes = std::sqrt(dot(a1, a1)) * std::sqrt(dot(a2, a2)) * std::sqrt(dot(a3, a3));
+  if (!(determinant > kFlat * sizes)) return ShapeError::not_positive;
 
-  auto reduced = lanes::reduce<float>(a1, a2, a3);
-  double root = std::sqrt(determinant / n) / n;  // of |A| / |A n|^3
-  double along_1 = std::sqrt(reduced.xx * reduced.xx + reduced.yx * reduced.yx);
-  double along_2 = std::sqrt(reduced.xy * reduced.xy + reduced.yy * reduced.yy);
-  const double sizes[] = {root, along_1, along_2};
-  for (double value : sizes)
+  auto reduced =
+      lanes::triangle<float>({determinant, dot(a1, a3), dot(a2, a3), dot(a3, a3), dot(c1, c2), std::sqrt(dot(c2, c2))});
+  auto n = lanes::narrowed(reduced);
+  for (float value : {n.xx, n.yy})
     if (!(value >= kSmallest && value <= kLargest)) return ShapeError::out_of_range;
-  if (!(std::fmax(std::fabs(reduced.zx), std::fabs(reduced.zy)) <= kLargest)) return ShapeError::out_of_range;
-  ShapeAccess::set(shape, lanes::tilted_shape<float>(reduced, {float(root), float(root)}));
+  for (float value : {n.yx, n.zx, n.zy})
+    if (!(std::fabs(value) <= kLargest)) return ShapeError::out_of_range;
+  ShapeAccess::set(shape, reduced, {1.f, 0.f});
   return ShapeError::none;
 }
 

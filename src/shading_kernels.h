@@ -14,28 +14,35 @@ using StagedForShading = Staged<T, kShadingBlock>;
 template <Warp warp>
 constexpr DiskMap kDiskMap = warp == Warp::polar ? DiskMap::polar : DiskMap::concentric;
 
+/// The view that is sampled for: the one given, or for a dielectric the one turned to the upper hemisphere.
+struct AsGiven {
+  static VNDF_INLINE Vec3<F> view(const Vec3<F>& wo) { return wo; }
+};
+struct TurnedUp {
+  static VNDF_INLINE Vec3<F> view(const Vec3<F>& wo) { return lanes::turned(wo.z < F(0.f), wo); }
+};
+
 /// Visible normals from the disk, as Heitz 2018 lays it on the hemisphere.
-template <Warp warp, class View, class Shapes>
+template <Warp warp, class View, class Surface>
 class FacetsOnDisk {
  public:
   template <std::size_t N>
-  VNDF_INLINE void sample(const Inputs<N>& in, const Shapes& shapes, std::size_t begin, std::size_t end) {
+  VNDF_INLINE void sample(const Inputs<N>& in, const Surface& surface, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; i += kWidth) {
       in.template prefetch<0, 1>(i);
       points_.store(i, map_disk<kDiskMap<warp>>(load_u(in, i)));
     }
     for (std::size_t i = begin; i < end; i += kWidth) {
       in.template prefetch<2>(i);
-      stretched_.prepare(in, shapes, i);
       chords_.store(i, chord(points_.load(i)));
     }
     for (std::size_t i = begin; i < end; i += kWidth) {
       in.template prefetch<3, 4>(i);
-      Vec3<F> h = stretched_.load(in, shapes, i);
+      Vec3<F> h = stretch(View::view(surface.frame.wo(in, i)), surface.shape.at(in, i));
       Stretched view;
       view.hemisphere = map_to_hemisphere(h, view.length);
       views_.store(i, view);
-      if constexpr (!kUpright) areas_.store(i, {lune_area(h, view.hemisphere, view.length)});
+      if constexpr (!Surface::kUpright) areas_.store(i, {lune_area(h, view.hemisphere, view.length)});
     }
     for (std::size_t i = begin; i < end; i += kWidth) {
       in.template prefetch<5, 6>(i);
@@ -46,12 +53,11 @@ class FacetsOnDisk {
   VNDF_INLINE Facet<F> load(std::size_t i, F wo_z) const {
     auto view = views_.load(i);
     F area = view.length + wo_z;
-    if constexpr (!kUpright) area = areas_.load(i).area;
+    if constexpr (!Surface::kUpright) area = areas_.load(i).area;
     return facet_of(facets_.load(i), view.length, area);
   }
 
  private:
-  static constexpr bool kUpright = lanes::kUpright<typename Shapes::Type>;
   struct Stretched {
     lanes::HemisphereView<F> hemisphere;
     F length;
@@ -60,7 +66,6 @@ class FacetsOnDisk {
     F area;
   };
   StagedForShading<Area> areas_;  // of what leans
-  StretchedViews<Shapes, View, kShadingBlock> stretched_;
   StagedForShading<lanes::DiskPoint<F>> points_;
   StagedForShading<lanes::Chord<F>> chords_;
   StagedForShading<Stretched> views_;
@@ -68,41 +73,42 @@ class FacetsOnDisk {
 };
 
 /// Visible normals from a spherical cap, on which the warp lays the square, or the disk by Lambert's map.
-template <Warp warp, bool bounded, class View, class Shapes>
+template <Warp warp, bool bounded, class View, class Surface>
 class FacetsOnCap {
  public:
   template <std::size_t N>
-  VNDF_INLINE void sample(const Inputs<N>& in, const Shapes& shapes, std::size_t begin, std::size_t end) {
+  VNDF_INLINE void sample(const Inputs<N>& in, const Surface& surface, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; i += kWidth) {
-      in.template prefetch<0, 1, 2, 5, 6>(i);
+      in.template prefetch<0, 1, 2>(i);
+      Vec3<F> wo = View::view(surface.frame.wo(in, i));
+      auto shape = surface.shape.load(in, i);
+      if constexpr (bounded)
+        caps_.store(i, bounded_cap_to_reflect(wo, shape));
+      else
+        caps_.store(i, visible_cap_to_reflect(wo, shape));
+    }
+    for (std::size_t i = begin; i < end; i += kWidth) {
+      in.template prefetch<5, 6>(i);
       Vec2<F> u = load_u(in, i);
       if constexpr (warp == Warp::spherical_cap) {
-        facets_.store(i, facet(in, shapes, i, u.y, F(1.f) - u.y, lanes::sincos2pi(u.x)));
+        auto phi = surface.shape.azimuth(lanes::sincos2pi(u.x), i);
+        facets_.store(i, sample_on_cap(caps_.load(i), u.y, F(1.f) - u.y, phi));
       } else {
         auto t = map_disk<kDiskMap<warp>>(u);
-        facets_.store(i, facet(in, shapes, i, t.r2, t.e, t.phi));
+        facets_.store(i, sample_on_cap(caps_.load(i), t.r2, t.e, t.phi));
       }
     }
   }
   VNDF_INLINE Facet<F> load(std::size_t i, F) const { return facet_of(facets_.load(i)); }
 
  private:
-  template <std::size_t N>
-  static VNDF_INLINE lanes::CapFacet<F> facet(const Inputs<N>& in, const Shapes& shapes, std::size_t i, F r2, F e,
-                                              const lanes::Angle<F>& phi) {
-    Vec3<F> wo = View::view(in, i);
-    auto shape = shapes.load(in, i);
-    if constexpr (bounded)
-      return sample_bounded_cap(wo, shape, r2, e, phi);
-    else
-      return sample_visible_cap(wo, shape, r2, e, phi);
-  }
+  StagedForShading<std::conditional_t<bounded, lanes::BoundedCapToReflect<F>, lanes::CapToReflect<F>>> caps_;
   StagedForShading<lanes::CapFacet<F>> facets_;
 };
 
-template <Warp warp, bool bounded, class View, class Shapes = AlphaColumns<3>>
-using Facets = std::conditional_t<bounded || warp == Warp::spherical_cap, FacetsOnCap<warp, bounded, View, Shapes>,
-                                  FacetsOnDisk<warp, View, Shapes>>;
+template <Warp warp, bool bounded, class View, class Surface>
+using Facets = std::conditional_t<bounded || warp == Warp::spherical_cap, FacetsOnCap<warp, bounded, View, Surface>,
+                                  FacetsOnDisk<warp, View, Surface>>;
 
 template <Masking masking>
 using MaskingOf = std::conditional_t<masking == Masking::height_correlated, lanes::HeightCorrelated, lanes::Separable>;
@@ -118,18 +124,18 @@ VNDF_INLINE void store_if_wanted(const Outputs<M>& out, std::size_t i, F value) 
 }
 
 /// No output is written before the last stage: it may lie over an input.
-template <Warp warp, bool bounded, class Masked, class Shapes = AlphaColumns<3>>
+template <Warp warp, bool bounded, class Masked, class Surface = PlainSurface<3>>
 class ReflectionKernel {
  public:
-  Shapes shapes;
+  Surface surface;
 
   template <std::size_t N>
   VNDF_INLINE void operator()(const Inputs<N>& in, const Outputs<9>& out, std::size_t begin, std::size_t end) {
     bool with_normals = out.column[5] || out.column[6] || out.column[7] || out.column[8];
     for (std::size_t to; begin < end; begin = to) {
       to = end_of_half(begin, end);
-      shapes.prepare(in, begin, to);
-      facets_.sample(in, shapes, begin, to);
+      surface.prepare(in, begin, to);
+      facets_.sample(in, surface, begin, to);
       if (with_normals)
         shade<true>(in, out, begin, to);
       else
@@ -141,8 +147,8 @@ class ReflectionKernel {
   template <bool with_normals, std::size_t N>
   VNDF_INLINE void shade(const Inputs<N>& in, const Outputs<9>& out, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; i += kWidth) {
-      Vec3<F> wo = load_wo(in, i);
-      auto shape = shapes.load(in, i);
+      Vec3<F> wo = surface.frame.wo(in, i);
+      auto shape = surface.shape.load(in, i);
       auto facet = facets_.load(i, wo.z);
       auto normal = normal_of(facet, shape);
       directions_.store(i, {reflect(wo, facet, normal), spread(facet, normal, shape)});
@@ -152,18 +158,20 @@ class ReflectionKernel {
       F wo_z = in.template load<2>(i);
       auto facet = facets_.load(i, wo_z);
       auto direction = directions_.load(i);
-      auto sample = lanes::weigh_reflection<Masked>(wo_z, shapes.load(in, i), facet.length, facet.area, direction.wi,
-                                                    direction.spread);
+      auto sample = lanes::weigh_reflection<Masked>(wo_z, surface.shape.load(in, i), facet.length, facet.area,
+                                                    direction.wi, direction.spread);
+      Vec3<F> wi = surface.frame.back(sample.wi, i);
       if constexpr (with_normals) {
         auto normal = normals_.load(i);
-        store_if_wanted<5>(out, i, normal.wm.x);
-        store_if_wanted<6>(out, i, normal.wm.y);
-        store_if_wanted<7>(out, i, normal.wm.z);
+        Vec3<F> wm = surface.frame.back(normal.wm, i);
+        store_if_wanted<5>(out, i, wm.x);
+        store_if_wanted<6>(out, i, wm.y);
+        store_if_wanted<7>(out, i, wm.z);
         store_if_wanted<8>(out, i, normal.cos);
       }
-      out.store<0>(i, sample.wi.x);
-      out.store<1>(i, sample.wi.y);
-      out.store<2>(i, sample.wi.z);
+      out.store<0>(i, wi.x);
+      out.store<1>(i, wi.y);
+      out.store<2>(i, wi.z);
       out.store<3>(i, sample.pdf);
       out.store<4>(i, sample.weight);
     }
@@ -173,7 +181,7 @@ class ReflectionKernel {
     Vec3<F> wi;
     F spread;
   };
-  Facets<warp, bounded, AsGiven, Shapes> facets_;
+  Facets<warp, bounded, AsGiven, Surface> facets_;
   StagedForShading<Direction> directions_;
   StagedForShading<lanes::UnitNormal<F>> normals_;
 };
@@ -193,15 +201,15 @@ VNDF_INLINE Vec3<F> load_second(const Inputs<N>& in, std::size_t i) {
   return {in.template load<3>(i), in.template load<4>(i), in.template load<5>(i)};
 }
 
-template <bool bounded, class Masked, class Shapes = AlphaColumns<6>>
+template <bool bounded, class Masked, class Surface = PlainSurface<6>>
 struct ReflectionEvaluation {
-  Shapes shapes;
+  Surface surface;
 
   template <std::size_t N>
   VNDF_INLINE void operator()(const Inputs<N>& in, const Outputs<2>& out, std::size_t begin, std::size_t end) {
+    surface.prepare(in, begin, end);
     for (std::size_t i = begin; i < end; i += kWidth) {
-      shapes.prepare(in, i, i + kWidth);
-      auto value = evaluate(load_wo(in, i), load_second(in, i), shapes.at(in, i));
+      auto value = evaluate(load_wo(in, i), load_second(in, i), surface.shape.for_pair(in, i));
       out.store<0>(i, value.f_cos);
       out.store<1>(i, value.pdf);
     }
@@ -223,15 +231,15 @@ void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& 
                        kernel);
 }
 
-template <class Shapes = AlphaColumns<6>>
+template <class Surface = PlainSurface<6>>
 struct NormalDensity {
-  Shapes shapes;
+  Surface surface;
 
   template <std::size_t N>
   VNDF_INLINE void operator()(const Inputs<N>& in, const Outputs<1>& pdf, std::size_t begin, std::size_t end) {
+    surface.prepare(in, begin, end);
     for (std::size_t i = begin; i < end; i += kWidth) {
-      shapes.prepare(in, i, i + kWidth);
-      pdf.store<0>(i, lanes::visible_normal_pdf(load_wo(in, i), load_second(in, i), shapes.at(in, i)));
+      pdf.store<0>(i, lanes::visible_normal_pdf(load_wo(in, i), load_second(in, i), surface.shape.for_pair(in, i)));
     }
   }
 };
@@ -242,26 +250,26 @@ void pdf_normals(std::size_t count, const Columns3& wo, const Columns3& wm, cons
   for_each_block<8, 1>(count, {&wo.x, &wo.y, &wo.z, &wm.x, &wm.y, &wm.z, &alpha.x, &alpha.y}, {pdf}, kernel);
 }
 
-template <Warp warp, class Masked, class Shapes = AlphaColumns<3>>
+template <Warp warp, class Masked, class Surface = PlainSurface<3>>
 class DielectricKernel {
  public:
-  Shapes shapes;
+  Surface surface;
 
   template <std::size_t N>
   VNDF_INLINE void operator()(const Inputs<N>& in, const Outputs<6>& out, std::size_t begin, std::size_t end) {
     for (std::size_t to; begin < end; begin = to) {
       to = end_of_half(begin, end);
-      shapes.prepare(in, begin, to);
-      facets_.sample(in, shapes, begin, to);
+      surface.prepare(in, begin, to);
+      facets_.sample(in, surface, begin, to);
       for (std::size_t i = begin; i < to; i += kWidth) {
         in.template prefetch<3, 4, 7, 8>(i);
-        Vec3<F> wo = load_wo(in, i);
+        Vec3<F> wo = surface.frame.wo(in, i);
         auto below = wo.z < F(0.f);
         wo = lanes::turned(below, wo);
         auto sample =
-            lanes::sample_dielectric<Masked>(wo, shapes.load(in, i), facets_.load(i, wo.z),
+            lanes::sample_dielectric<Masked>(wo, surface.shape.load(in, i), facets_.load(i, wo.z),
                                              lanes::turned_eta(below, in.template load<7>(i)), in.template load<8>(i));
-        Vec3<F> wi = lanes::turned(below, sample.wi);
+        Vec3<F> wi = surface.frame.back(lanes::turned(below, sample.wi), i);
         out.store<0>(i, wi.x);
         out.store<1>(i, wi.y);
         out.store<2>(i, wi.z);
@@ -273,7 +281,7 @@ class DielectricKernel {
   }
 
  private:
-  Facets<warp, false, TurnedUp, Shapes> facets_;
+  Facets<warp, false, TurnedUp, Surface> facets_;
 };
 
 template <Warp warp, Masking masking>
@@ -284,19 +292,19 @@ void sample_dielectric(std::size_t count, const Columns3& wo, const Columns2& al
                        {out.wi.x, out.wi.y, out.wi.z, out.pdf, out.weight, out.side}, kernel);
 }
 
-template <class Masked, class Shapes = AlphaColumns<6>>
+template <class Masked, class Surface = PlainSurface<6>>
 struct DielectricEvaluation {
-  Shapes shapes;
+  Surface surface;
 
   template <std::size_t N>
   VNDF_INLINE void operator()(const Inputs<N>& in, const Outputs<2>& out, std::size_t begin, std::size_t end) {
+    surface.prepare(in, begin, end);
     for (std::size_t i = begin; i < end; i += kWidth) {
-      shapes.prepare(in, i, i + kWidth);
-      Vec3<F> wo = load_wo(in, i);
+      Vec3<F> wo = load_wo(in, i), wi = load_second(in, i);
       auto below = wo.z < F(0.f);
-      auto value =
-          lanes::evaluate_dielectric<Masked>(lanes::turned(below, wo), lanes::turned(below, load_second(in, i)),
-                                             shapes.at(in, i), lanes::turned_eta(below, in.template load<8>(i)));
+      auto value = lanes::evaluate_dielectric<Masked>(lanes::turned(below, wo), lanes::turned(below, wi),
+                                                      surface.shape.for_pair(in, i),
+                                                      lanes::turned_eta(below, in.template load<8>(i)));
       out.store<0>(i, value.f_cos);
       out.store<1>(i, value.pdf);
     }

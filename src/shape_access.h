@@ -9,20 +9,18 @@
 namespace vndf {
 
 struct ShapeAccess {
-  static VNDF_INLINE void set(Shape& shape, const lanes::Tilted<float>& a) {
-    static_assert(sizeof a == sizeof shape);
-    std::memcpy(shape.a_, &a, sizeof shape.a_);
-    std::memcpy(shape.det_, &a.det, sizeof shape.det_);
+  static VNDF_INLINE void set(Shape& shape, const lanes::Tilted<float>& a, const lanes::Angle<float>& azimuth) {
+    static_assert(sizeof a + sizeof azimuth == sizeof shape);
+    std::memcpy(shape.a_, &a, sizeof a);
+    std::memcpy(shape.azimuth_, &azimuth, sizeof azimuth);
   }
-  static VNDF_INLINE lanes::Tilted<float> get(const Shape& shape) {
-    lanes::Tilted<float> a;
-    std::memcpy(&a, shape.a_, sizeof shape.a_);
-    std::memcpy(&a.det, shape.det_, sizeof shape.det_);
-    return a;
+  static VNDF_INLINE void get(const Shape& shape, lanes::Tilted<float>& a, lanes::Angle<float>& azimuth) {
+    std::memcpy(&a, shape.a_, sizeof a);
+    std::memcpy(&azimuth, shape.azimuth_, sizeof azimuth);
   }
 };
 
-/// Of an ellipsoid of five constants. The numbers that a lane of columns works out.
+/// Of an ellipsoid of five constants.
 Shape shape_of(const Ellipsoid& constants) noexcept;
 
 }  // namespace vndf

@@ -1,16 +1,78 @@
-// How a kernel gets the shape of each lane: what it is templated on, so that there is one kernel for all of them.
+// How a kernel gets the surface of each lane: what it is templated on, so that there is one kernel for all of them. A
+// surface is a frame, which theta_z turns, and a shape in it.
 //
-//   prepare(in, begin, end)  before the stages of a block: what takes some computing
-//   at(in, i)                A for the products with what the caller gives, in two parts where it is not plain GGX
+// Frames:
+//   prepare(in, begin, end)  before the stages of a block
+//   wo(in, i)                the view in the frame
+//   back(v, i)               directions from the frame to that of the columns
+// Shapes:
+//   prepare(in, begin, end)
+//   at(in, i)                A for the products with the view, in two parts where it is not plain GGX
 //   load(in, i)              A narrowed
+//   for_pair(in, i)          what evaluates a given pair of directions
+//   azimuth(phi, i)          phi of the cap, which begins where theta_z has turned it
 //
-// kAlpha is the column of alpha_x, alpha_y follows it; kTheta the first one of the angles. T is Split<F>, or F where
-// `at` is not needed.
+// kAlpha is the column of alpha_x, alpha_y follows it; kTheta that of the first angle. T is Split<F>, or F for the cap,
+// where the products with the view may be those of floats.
 #pragma once
 
 #include "shape_access.h"
 
 namespace {
+
+/// That of the columns.
+struct GivenFrame {
+  template <std::size_t N>
+  VNDF_INLINE void prepare(const Inputs<N>&, std::size_t, std::size_t) {}
+  template <std::size_t N>
+  static VNDF_INLINE Vec3<F> wo(const Inputs<N>& in, std::size_t i) {
+    return load_wo(in, i);
+  }
+  static VNDF_INLINE Vec3<F> back(const Vec3<F>& v, std::size_t) { return v; }
+};
+
+/// Calls f(i, rotation) for the angles of a column. The next one is reduced beside: one after the other, the two steps
+/// are a chain too long for a core to overlap.
+template <std::size_t kTheta, std::size_t N, class Function>
+VNDF_INLINE void for_each_rotation(const Inputs<N>& in, std::size_t begin, std::size_t end, Function f) {
+  auto reduced = lanes::reduce_angle(in.template load<kTheta>(begin));
+  for (std::size_t i = begin; i < end; i += kWidth) {
+    in.template prefetch<kTheta>(i);
+    auto rotation = lanes::rotation_of(reduced);
+    reduced = lanes::reduce_angle(in.template load<kTheta>(i + kWidth < end ? i + kWidth : begin));
+    f(i, rotation);
+  }
+}
+
+template <std::size_t kTheta, std::size_t kLanes, class T>
+class TurnedFrame {
+ public:
+  template <std::size_t N>
+  VNDF_INLINE void prepare(const Inputs<N>& in, std::size_t begin, std::size_t end) {
+    for_each_rotation<kTheta>(in, begin, end, [&](std::size_t i, const lanes::Rotation<F>& rotation) {
+      auto theta_z = lanes::angle_of<F>(rotation);
+      Vec3<F> wo;
+      if constexpr (std::is_same_v<T, F>)
+        wo = turn(load_wo(in, i), theta_z);
+      else
+        wo = turn(load_wo(in, i), rotation);
+      turned_.store(i, {wo.x, wo.y, theta_z});
+    });
+  }
+  template <std::size_t N>
+  VNDF_INLINE Vec3<F> wo(const Inputs<N>& in, std::size_t i) const {
+    auto lane = turned_.load(i);
+    return {lane.wo_x, lane.wo_y, in.template load<2>(i)};
+  }
+  VNDF_INLINE Vec3<F> back(const Vec3<F>& v, std::size_t i) const { return turn_back(v, turned_.load(i).theta_z); }
+
+ private:
+  struct Turned {
+    F wo_x, wo_y;
+    lanes::Angle<F> theta_z;
+  };
+  Staged<Turned, kLanes> turned_;
+};
 
 /// Plain GGX: the columns of alpha.
 template <std::size_t kAlpha>
@@ -27,6 +89,11 @@ struct AlphaColumns {
   static VNDF_INLINE Vec2<F> load(const Inputs<N>& in, std::size_t i) {
     return at(in, i);
   }
+  template <std::size_t N>
+  static VNDF_INLINE Vec2<F> for_pair(const Inputs<N>& in, std::size_t i) {
+    return at(in, i);
+  }
+  static VNDF_INLINE lanes::Angle<F> azimuth(const lanes::Angle<F>& phi, std::size_t) { return phi; }
 };
 
 /// One shape for all lanes.
@@ -35,57 +102,42 @@ class OneShape {
   using Type = lanes::Tilted<F>;
 
   VNDF_INLINE void set(const Shape& shape) {
-    shape_ = ShapeAccess::get(shape);
-    narrowed_ = narrowed(shape_);
+    lanes::Tilted<float> a;
+    lanes::Angle<float> azimuth;
+    ShapeAccess::get(shape, a, azimuth);
+    auto all = [](const lanes::Split<float>& element) { return lanes::Split<F>{F(element.high), F(element.low)}; };
+    shape_ = {F(a.xx), all(a.yx), all(a.yy), all(a.zx), all(a.zy)};
+    for_pair_ = lanes::for_pairs(shape_);
+    azimuth_ = {F(azimuth.cos), F(azimuth.sin)};
   }
 
   template <std::size_t N>
   VNDF_INLINE void prepare(const Inputs<N>&, std::size_t, std::size_t) {}
+  // Member by member, see Staged.
   template <std::size_t N>
   VNDF_INLINE lanes::Tilted<F> at(const Inputs<N>&, std::size_t) const {
-    auto each = [](const lanes::Split<float>& a) { return lanes::Split<F>{F(a.high), F(a.low)}; };
     const auto& a = shape_;
-    return {each(a.xx), each(a.xy), each(a.yx), each(a.yy), each(a.zx), each(a.zy), det()};
+    return {a.xx, a.yx, a.yy, a.zx, a.zy};
   }
   template <std::size_t N>
   VNDF_INLINE lanes::Tilted<F, F> load(const Inputs<N>&, std::size_t) const {
-    const auto& a = narrowed_;
-    return {F(a.xx), F(a.xy), F(a.yx), F(a.yy), F(a.zx), F(a.zy), det()};
+    const auto& a = for_pair_.narrowed;
+    return {a.xx, a.yx, a.yy, a.zx, a.zy};
   }
+  template <std::size_t N>
+  VNDF_INLINE lanes::TiltedForPairs<F> for_pair(const Inputs<N>&, std::size_t) const {
+    const auto& a = for_pair_.narrowed;
+    return {{a.xx, a.yx, a.yy, a.zx, a.zy}, for_pair_.xy, for_pair_.xz, for_pair_.yz};
+  }
+  VNDF_INLINE lanes::Angle<F> azimuth(const lanes::Angle<F>& phi, std::size_t) const { return plus(phi, azimuth_); }
 
  private:
-  VNDF_INLINE Vec2<F> det() const { return {F(shape_.det.x), F(shape_.det.y)}; }
-
-  lanes::Tilted<float> shape_;
-  lanes::Tilted<float, float> narrowed_;
+  lanes::Tilted<F> shape_;
+  lanes::TiltedForPairs<F> for_pair_;
+  lanes::Angle<F> azimuth_;
 };
 
-template <std::size_t kAlpha, std::size_t kTheta, std::size_t kLanes, class T>
-class TurnedColumns {
- public:
-  using Type = lanes::Turned<F>;
-
-  template <std::size_t N>
-  VNDF_INLINE void prepare(const Inputs<N>& in, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; i += kWidth) {
-      in.template prefetch<kTheta>(i);
-      auto z = lanes::angle_of(in.template load<kTheta>(i));
-      angles_.store(i, {lanes::as<T>(z.cos), lanes::as<T>(z.sin)});
-    }
-  }
-  template <std::size_t N>
-  VNDF_INLINE lanes::Turned<F, T> at(const Inputs<N>& in, std::size_t i) const {
-    return {angles_.load(i), AlphaColumns<kAlpha>::at(in, i)};
-  }
-  template <std::size_t N>
-  VNDF_INLINE lanes::Turned<F, F> load(const Inputs<N>& in, std::size_t i) const {
-    return narrowed(at(in, i));
-  }
-
- private:
-  Staged<lanes::Angle<T>, kLanes> angles_;
-};
-
+/// The columns of alpha and of all angles.
 template <std::size_t kAlpha, std::size_t kTheta, std::size_t kLanes, class T>
 class TiltedColumns {
  public:
@@ -95,9 +147,14 @@ class TiltedColumns {
   VNDF_INLINE void prepare(const Inputs<N>& in, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; i += kWidth) {
       in.template prefetch<kTheta, kTheta + 1, kTheta + 2>(i);
-      shapes_.store(
-          i, lanes::as<T>(lanes::tilted_shape(AlphaColumns<kAlpha>::at(in, i), in.template load<kTheta>(i),
-                                              in.template load<kTheta + 1>(i), in.template load<kTheta + 2>(i))));
+      auto of = lanes::tilted_shape(AlphaColumns<kAlpha>::at(in, i), in.template load<kTheta>(i),
+                                    in.template load<kTheta + 1>(i), in.template load<kTheta + 2>(i));
+      if constexpr (kForCap) {
+        shapes_.store(i, narrowed(of.shape));
+        azimuths_.store(i, azimuth_of(of));
+      } else {
+        shapes_.store(i, of.shape);
+      }
     }
   }
   template <std::size_t N>
@@ -106,47 +163,60 @@ class TiltedColumns {
   }
   template <std::size_t N>
   VNDF_INLINE lanes::Tilted<F, F> load(const Inputs<N>& in, std::size_t i) const {
-    return narrowed(at(in, i));
-  }
-
- private:
-  Staged<lanes::Tilted<F, T>, kLanes> shapes_;
-};
-
-/// The view that is sampled for: the column's, or for a dielectric the one turned to the upper hemisphere.
-struct AsGiven {
-  template <std::size_t N>
-  static VNDF_INLINE Vec3<F> view(const Inputs<N>& in, std::size_t i) {
-    return load_wo(in, i);
-  }
-};
-struct TurnedUp {
-  template <std::size_t N>
-  static VNDF_INLINE Vec3<F> view(const Inputs<N>& in, std::size_t i) {
-    Vec3<F> wo = load_wo(in, i);
-    return lanes::turned(wo.z < F(0.f), wo);
-  }
-};
-
-/// A wo. For plain GGX that is two products, taken where they are needed; for other shapes a stage.
-template <class Shapes, class View, std::size_t kLanes>
-class StretchedViews {
- public:
-  template <std::size_t N>
-  VNDF_INLINE void prepare(const Inputs<N>& in, const Shapes& shapes, std::size_t i) {
-    if constexpr (!kPlain) views_.store(i, stretch(View::view(in, i), shapes.at(in, i)));
-  }
-  template <std::size_t N>
-  VNDF_INLINE Vec3<F> load(const Inputs<N>& in, const Shapes& shapes, std::size_t i) const {
-    if constexpr (kPlain)
-      return stretch(View::view(in, i), shapes.at(in, i));
+    if constexpr (kForCap)
+      return at(in, i);
     else
-      return views_.load(i);
+      return narrowed(at(in, i));
+  }
+  template <std::size_t N>
+  VNDF_INLINE lanes::TiltedForPairs<F> for_pair(const Inputs<N>& in, std::size_t i) const {
+    return for_pairs(at(in, i));
+  }
+  VNDF_INLINE lanes::Angle<F> azimuth(const lanes::Angle<F>& phi, std::size_t i) const {
+    return plus(phi, azimuths_.load(i));
   }
 
  private:
-  static constexpr bool kPlain = std::is_same_v<typename Shapes::Type, Vec2<F>>;
-  Staged<Vec3<F>, kLanes> views_;
+  static constexpr bool kForCap = std::is_same_v<T, F>;
+  Staged<lanes::Tilted<F, T>, kLanes> shapes_;
+  Staged<lanes::Angle<F>, kForCap ? kLanes : kWidth> azimuths_;
 };
+
+/// Plain GGX in turned frames, for given pairs of directions.
+template <std::size_t kAlpha, std::size_t kTheta>
+class TurnedColumns {
+ public:
+  using Type = lanes::Turned<F>;
+
+  template <std::size_t N>
+  VNDF_INLINE void prepare(const Inputs<N>& in, std::size_t begin, std::size_t end) {
+    for_each_rotation<kTheta>(in, begin, end, [&](std::size_t i, const lanes::Rotation<F>& rotation) {
+      shapes_.store(i, turned_shape(AlphaColumns<kAlpha>::at(in, i), rotation));
+    });
+  }
+  template <std::size_t N>
+  VNDF_INLINE lanes::Turned<F> for_pair(const Inputs<N>&, std::size_t i) const {
+    return shapes_.load(i);
+  }
+
+ private:
+  Staged<lanes::Turned<F>> shapes_;
+};
+
+/// What a kernel is templated on.
+template <class Frame, class Shape>
+struct Surface {
+  static constexpr bool kUpright = lanes::kUpright<typename Shape::Type>;
+  Frame frame;
+  Shape shape;
+
+  template <std::size_t N>
+  VNDF_INLINE void prepare(const Inputs<N>& in, std::size_t begin, std::size_t end) {
+    frame.prepare(in, begin, end);
+    shape.prepare(in, begin, end);
+  }
+};
+template <std::size_t kAlpha>
+using PlainSurface = Surface<GivenFrame, AlphaColumns<kAlpha>>;
 
 }  // namespace

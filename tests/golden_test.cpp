@@ -133,16 +133,16 @@ TEST_P(GoldenBits, Ellipsoid) {
     EXPECT_EQ(found, golden) << std::hex << std::showbase << what << " gives " << found << ", set " << GetParam();
   };
   vndf::sample_normals(vndf::Warp::polar, kCount, wo, constants, u, out);
-  expect("constants", 0x9d0e1ff7fb54c67u, hash({&x, &y, &z}));
+  expect("constants", 0x261e0145653b793fu, hash({&x, &y, &z}));
   vndf::sample_reflection(vndf::Warp::concentric, kCount, wo, turned, u, {out, pdf.data(), weight.data()});
-  expect("turned", 0x2a7d6758c039bb2au, hash({&x, &y, &z, &pdf, &weight}));
+  expect("turned", 0x384848ea84b51337u, hash({&x, &y, &z, &pdf, &weight}));
   vndf::sample_reflection(vndf::Warp::spherical_cap, kCount, wo, tilted, u, {out, pdf.data(), weight.data()});
-  expect("tilted", 0xbc5937a4ed9301edu, hash({&x, &y, &z, &pdf, &weight}));
+  expect("tilted", 0x156dd8e1deb853a8u, hash({&x, &y, &z, &pdf, &weight}));
   vndf::evaluate_reflection(kCount, wo, wi, tilted, {weight.data(), pdf.data()});
-  expect("evaluate_reflection", 0x630d093a9064cdcdu, hash({&weight, &pdf}));
+  expect("evaluate_reflection", 0x9d18d9a1134b0968u, hash({&weight, &pdf}));
   vndf::sample_dielectric(vndf::Warp::polar, kCount, wo, tilted, 1.5f, {u.x, u.y, alpha.x},
                           {out, pdf.data(), weight.data(), side.data()});
-  expect("sample_dielectric", 0xdd2492f23def682au, hash({&x, &y, &z, &pdf, &weight, &side}));
+  expect("sample_dielectric", 0x476162d61c8cd362u, hash({&x, &y, &z, &pdf, &weight, &side}));
 }
 
 std::vector<const char*> names() {

@@ -37,9 +37,8 @@ class Shape {
 
  private:
   friend struct ShapeAccess;
-  // ((xx, xy, 0), (yx, yy, 0), (zx, zy, 1)), each element in two parts; two factors of the determinant.
-  float a_[6][2] = {{1.f, 0.f}, {0.f, 0.f}, {0.f, 0.f}, {1.f, 0.f}, {0.f, 0.f}, {0.f, 0.f}};
-  float det_[2] = {1.f, 1.f};
+  // ((xx, 0, 0), (yx, yy, 0), (zx, zy, 1)): xx, and the others in two parts; where azimuths on the cap begin.
+  float a_[9] = {1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 0.f}, azimuth_[2] = {1.f, 0.f};
 };
 
 enum class ShapeError { none, not_finite, not_positive, out_of_range };

@@ -105,7 +105,7 @@ TEST_P(Every, ChiSquare) {
   for (std::size_t i = 0; i < pdf.size(); ++i)
     expected[grid.bin[i]] += pdf[i] * grid.solid_angle[i] / sum * double(kCount);
   for (int w = 0; w < 3; ++w) {
-    Numbers u(kCount, 2015 + std::uint64_t(w));
+    Numbers u(kCount, 2016 + std::uint64_t(w));
     Directions wm(kCount);
     sample_normals(kWarps[w], kCount, constant(psi()), parameters().ellipsoid(), {u.a.data(), u.b.data()}, wm.out());
     std::vector<double> counts(kRings * kSectors);

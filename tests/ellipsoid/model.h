@@ -168,26 +168,19 @@ V3<R> sample_version_3(const V3<R>& psi, const M3<R>& a, const Point<R>& t) {
   return direction(transposed_times(a, x_b * e1 + y_a * e2 + z_b * e3));
 }
 
-/// Turned by the rotation that takes the direction t to z by the shortest way.
-template <class R>
-V3<R> turned_to_z(const V3<R>& v, const V3<R>& t) {
-  V3<R> half = t + V3<R>{0, 0, 1};
-  return v + (-dot(half, v) / (1 + t.z)) * half + V3<R>{0, 0, 2 * dot(t, v)};
-}
-/// Q A / |A n|, for the grids, and for the cap, whose azimuth has to begin somewhere. Where A n is below the horizon, Q
-/// is half a turn about x and then the shortest way.
+/// Q A / |A n| for the grids, and for the cap, whose azimuth has to begin somewhere: at the normal of A y and A n.
 template <class R>
 M3<R> upright(const M3<R>& a) {
-  R sign = a.c3.z < 0 ? -1 : 1;
-  auto half = [&](const V3<R>& v) { return V3<R>{v.x, sign * v.y, sign * v.z}; };
-  V3<R> t = direction(half(a.c3));
+  V3<R> x = direction(cross(a.c2, a.c3)), z = direction(a.c3);
+  M3<R> axes{x, cross(z, x), z};
   R inv = 1 / square_root(dot(a.c3, a.c3));
-  return {inv * turned_to_z(half(a.c1), t), inv * turned_to_z(half(a.c2), t), {0, 0, 1}};
+  return {inv * transposed_times(axes, a.c1), inv * transposed_times(axes, a.c2), {0, 0, 1}};
 }
-/// Dupuy and Benyoub 2023, Listing 3, with A in place of diag(alpha_x, alpha_y, 1).
+/// Dupuy and Benyoub 2023, Listing 3, with A in place of diag(alpha_x, alpha_y, 1), in the frame turned by theta_z.
 template <class R>
-V3<R> sample_cap(const V3<R>& psi, const M3<R>& a, R u1, R u2) {
-  M3<R> b = upright(a);
+V3<R> sample_cap(const V3<R>& psi, const Parameters& p, R u1, R u2) {
+  M3<R> turn = rotation<R>(0, 0, R(p.theta_z));
+  M3<R> b = upright(matrix<R>({p.alpha_x, p.alpha_y, p.theta_x, p.theta_y, 0})) * turn;
   V3<R> vh = direction(b * psi);
   R s, c;
   sin_cos(2 * kPi<R> * u1, s, c);

@@ -123,16 +123,16 @@ VNDF_INLINE Evaluation<F> evaluate_dielectric(const Vec3<F>& wo, const Vec3<F>& 
   auto f = fresnel(cos_o / op::sqrt(dot(h, h)), eta);
   F length = F(0.f), area;
   if constexpr (kUpright<Shape>) {
-    length = stretched_length(wo, shape);
+    length = stretched_length(wo, narrowed(shape));
     area = length + wo.z;
   } else {
-    area = lune_area(stretch(wo, shape));
+    area = lune_area(stretch(wo, narrowed(shape)));
   }
   F pdf = ndf(h, shape) / (area + area);
   F reflected = pdf * f.reflected;
   F refracted = (pdf * f.transmitted) * refraction_over_reflection(f, eta);
   refracted = op::select(cos_o > F(0.f), op::select(cos_i < F(0.f), refracted, F(0.f)), F(0.f));
-  F weight = dielectric_weight<Masking>(reflects, wo.z, length, area, wi, shape);
+  F weight = dielectric_weight<Masking>(reflects, wo.z, length, area, wi, narrowed(shape));
   pdf = where_above(wo.z, op::abs(wi.z), op::select(reflects, reflected, refracted));
   return {op::select(pdf > F(0.f), pdf * weight, F(0.f)), pdf};
 }

@@ -83,7 +83,7 @@ VNDF_INLINE F smith_g2_separable(const Vec3<F>& v, const Vec3<F>& l, const Vec2<
 template <class F, class Shape = Vec2<F>>
 VNDF_INLINE F visible_normal_pdf(const Vec3<F>& v, const Vec3<F>& m, const Shape& shape) {
   F cos = dot(v, m);
-  F pdf = ((cos + cos) / lune_area(stretch(v, shape))) * ndf(m, shape);
+  F pdf = ((cos + cos) / lune_area(stretch(v, narrowed(shape)))) * ndf(m, shape);
   return op::select(cos > F(0.f), op::select(m.z < F(0.f), F(0.f), pdf), F(0.f));
 }
 

@@ -26,7 +26,7 @@ template <class F, class Shape = Vec2<F>>
 VNDF_INLINE Vec3<F> sample_normal_cap(Vec3<F> wo, const Shape& shape, Vec2<F> u) {
   // The sum of two vectors that comes loses more than a product with floats.
   auto a = narrowed(shape);
-  return map_from_hemisphere(sample_cap(stretch(wo, a), u), a);
+  return map_from_hemisphere(on_visible_cap(visible_cap_of(stretch(wo, a)), sincos2pi(u.x), u.y), a);
 }
 
 }  // namespace VNDF_LANES_BUILD

@@ -49,6 +49,38 @@ VNDF_INLINE Facet<F> facet_of(const ChordFacet<F>& facet, F length, F area) {
   return {facet.nh, dot(facet.nh, facet.nh), facet.twice_cos, length, area};
 }
 
+/// The visible cap, the height of which is the area that its normals project to, and |A wo|.
+template <class F>
+struct CapToReflect {
+  CapAtView<F> at;
+  F length;
+};
+template <class F, class Shape = Vec2<F>>
+VNDF_INLINE CapToReflect<F> visible_cap_to_reflect(const Vec3<F>& wo, const Shape& shape) {
+  Vec3<F> h = stretch(wo, shape);
+  auto view = map_to_cap(h, F(1.f));
+  Cap<F> cap;
+  if constexpr (kUpright<Shape>)
+    cap = visible_cap(view);
+  else
+    cap = visible_cap(view, h.z);
+  return {{view.x, view.y, cap}, view.length};
+}
+
+/// Eto and Tokuyoshi 2023: the part of the cap whose reflections can be above the horizon. `rest` is what the third
+/// component of the sum lacks.
+template <class F>
+struct BoundedCapToReflect {
+  CapToReflect<F> bounded;
+  F rest;
+};
+template <class F>
+VNDF_INLINE BoundedCapToReflect<F> bounded_cap_to_reflect(const Vec3<F>& wo, const Vec2<F>& alpha) {
+  auto view = map_to_cap(stretch(wo, alpha), F(1.f));
+  auto bound = reflection_bound(wo, alpha);
+  return {{{view.x, view.y, bounded_cap(view, bound)}, view.length}, bound.one_minus_k * view.abs_z};
+}
+
 /// A normal from the cap. It is the sum of two vectors as long as A wo, one of which is A wo: 2 A wo.nh = |nh|^2.
 template <class F>
 struct CapFacet {
@@ -58,27 +90,15 @@ struct CapFacet {
 };
 
 /// `r2`, e and phi are the disk point, see on_cap.
-template <class F, class Shape = Vec2<F>>
-VNDF_INLINE CapFacet<F> sample_visible_cap(Vec3<F> wo, const Shape& shape, F r2, F e, const Angle<F>& phi) {
-  Vec3<F> h = stretch(wo, shape);
-  auto view = map_to_cap(h, F(1.f));
-  Cap<F> cap;
-  if constexpr (kUpright<Shape>)
-    cap = visible_cap(view);
-  else
-    cap = visible_cap(view, h.z);
-  return {with_direction(on_cap(view, cap, r2, e, phi)), view.length, cap.height};
-}
-
-/// Eto and Tokuyoshi 2023: the part of the cap whose reflections can be above the horizon.
 template <class F>
-VNDF_INLINE CapFacet<F> sample_bounded_cap(Vec3<F> wo, Vec2<F> alpha, F r2, F e, const Angle<F>& phi) {
-  auto view = map_to_cap(stretch(wo, alpha), F(1.f));
-  auto bound = reflection_bound(wo, alpha);
-  auto cap = bounded_cap(view, bound);
-  Vec3<F> nh = on_cap(view, cap, r2, e, phi);
-  nh.z = nh.z + bound.one_minus_k * view.abs_z;
-  return {with_direction(nh), view.length, cap.height};
+VNDF_INLINE CapFacet<F> sample_on_cap(const CapToReflect<F>& view, F r2, F e, const Angle<F>& phi) {
+  return {with_direction(on_cap(view.at, r2, e, phi)), view.length, view.at.cap.height};
+}
+template <class F>
+VNDF_INLINE CapFacet<F> sample_on_cap(const BoundedCapToReflect<F>& view, F r2, F e, const Angle<F>& phi) {
+  Vec3<F> nh = on_cap(view.bounded.at, r2, e, phi);
+  nh.z = nh.z + view.rest;
+  return {with_direction(nh), view.bounded.length, view.bounded.at.cap.height};
 }
 template <class F>
 VNDF_INLINE Facet<F> facet_of(const CapFacet<F>& facet) {
@@ -124,9 +144,9 @@ VNDF_INLINE Vec3<F> reflect(const Vec3<F>& wo, const Facet<F>& facet, const Norm
 /// 1 / (2 pi density); for the sake of the range each factor of |A| is taken together with one |A^T Nh|^2.
 template <class F, class Shape = Vec2<F>>
 VNDF_INLINE F spread(const Facet<F>& facet, const Normal<F>& normal, const Shape& shape) {
-  Vec2<F> determinant = factors_of_determinant(shape);
+  Vec2<F> a = diagonal(shape);
   F g = facet.norm2 * normal.inv_p2;
-  return (op::abs(determinant.x * g) * op::abs(determinant.y * g)) * facet.area;
+  return (op::abs(a.x * g) * op::abs(a.y * g)) * facet.area;
 }
 
 /// A weight without the excess over 1 that only rounding can give it.
@@ -200,18 +220,18 @@ template <class Masking, class F, class Shape = Vec2<F>>
 VNDF_INLINE Evaluation<F> evaluate_reflection(const Vec3<F>& wo, const Vec3<F>& wi, const Shape& shape, F length,
                                               F area) {
   F pdf = ndf<F>({wo.x + wi.x, wo.y + wi.y, wo.z + wi.z}, shape) / (area + area);
-  F weight = reflection_weight<Masking>(wo.z, length, area, wi, shape);
+  F weight = reflection_weight<Masking>(wo.z, length, area, wi, narrowed(shape));
   return {where_above(wo.z, wi.z, pdf * weight), where_above(wo.z, wi.z, pdf)};
 }
 
 template <class Masking, class F, class Shape = Vec2<F>>
 VNDF_INLINE Evaluation<F> evaluate_reflection(const Vec3<F>& wo, const Vec3<F>& wi, const Shape& shape) {
   if constexpr (kUpright<Shape>) {
-    F length = stretched_length(wo, shape);
+    F length = stretched_length(wo, narrowed(shape));
     return evaluate_reflection<Masking>(wo, wi, shape, length, length + wo.z);
   } else {
     // Lunes are masked by their areas alone.
-    return evaluate_reflection<Masking>(wo, wi, shape, F(0.f), lune_area(stretch(wo, shape)));
+    return evaluate_reflection<Masking>(wo, wi, shape, F(0.f), lune_area(stretch(wo, narrowed(shape))));
   }
 }
 

@@ -1,7 +1,7 @@
 // Sine and cosine of 2 pi u.
 #pragma once
 
-#include <vndf/lanes/split.h>
+#include <vndf/lanes/simd.h>
 
 namespace vndf::lanes {
 inline namespace VNDF_LANES_BUILD {
@@ -39,41 +39,10 @@ VNDF_INLINE Angle<F> sincos2pi(F u) {
   return {turned.cos, op::with_sign_of(turned.sin, h)};
 }
 
-/// (cos, sin)(theta), theta in radians, to 0.4 eps for |theta| <= pi, and (1, 0) at 0: what a shape's axes lose, small
-/// alpha magnifies.
-///
-/// Whole quarter turns are taken off with pi/2 in two parts, of which the first makes exact products; adding and
-/// subtracting 1.5 x 2^23 rounds to integers. What is left is x + x_low, at most pi/4. Of its cosine 1 - x^2 / 2 is
-/// taken with its rounding error; what follows is minimax, as is the sine.
+/// Of the sum of two angles.
 template <class F>
-VNDF_INLINE Angle<Split<F>> angle_of(F theta) {
-  constexpr float kRounder = 0x1.8p23f;
-  F shifted = theta * F(0x1.45f306p-1f) + F(kRounder);
-  F quarters = shifted - F(kRounder);
-  F y = theta - quarters * F(0x1.92p0f);
-  F rest = quarters * F(0x1.fb5444p-12f);
-  F x = y - rest;
-  F x_low = (y - x) - rest;
-
-  F q = x * x;
-  F half = q * F(0.5f);
-  F one = F(1.f) - half;
-  F error = ((F(1.f) - one) - half) - x * x_low;
-  auto c = split(one);
-  c.low = c.low + (error + (q * q) * (F(0x1.55554ap-5f) + q * (F(-0x1.6c0c1ap-10f) + q * F(0x1.99e0eep-16f))));
-  F xq = x * q;
-  auto s = split(x);
-  s.low = (s.low + x_low * one) + (xq * F(-0x1.55554p-3f) + (xq * q) * (F(0x1.1105bcp-7f) + q * F(-0x1.98dc1cp-13f)));
-
-  Int<F> n = op::bits(shifted);
-  Int<F> first = op::shift_left<31>(n), second = op::shift_left<30>(n);
-  auto odd = op::from_bits(first | Int<F>(0x3f800000)) < F(0.f);
-  Int<F> cos_sign = (first ^ second) & Int<F>(INT32_MIN), sin_sign = second & Int<F>(INT32_MIN);
-  auto of_quarter = [&](Int<F> sign, F even, F other) {
-    return op::from_bits(op::bits(op::select(odd, other, even)) ^ sign);
-  };
-  return {{of_quarter(cos_sign, c.high, s.high), of_quarter(cos_sign, c.low, s.low)},
-          {of_quarter(sin_sign, s.high, c.high), of_quarter(sin_sign, s.low, c.low)}};
+VNDF_INLINE Angle<F> plus(const Angle<F>& a, const Angle<F>& b) {
+  return {a.cos * b.cos - a.sin * b.sin, a.sin * b.cos + a.cos * b.sin};
 }
 
 }  // namespace VNDF_LANES_BUILD

@@ -79,23 +79,37 @@ VNDF_INLINE Cap<F> bounded_cap(const CapView<F>& view, const Bound<F>& bound) {
   return {view.length + bound.k * view.abs_z, view.r2 + (bound.one_minus_k * (F(1.f) + bound.k)) * z2};
 }
 
+/// A cap, and the view that its points are added to, less the third component: the height of a point over the rim
+/// makes up for it.
+template <class F>
+struct CapAtView {
+  F x, y;
+  Cap<F> cap;
+};
+
+/// From h = A V of any length.
+template <class F>
+VNDF_INLINE CapAtView<F> visible_cap_of(const Vec3<F>& h) {
+  auto view = map_to_cap(h, cap_scale(h));
+  return {view.x, view.y, visible_cap(view, h.z)};
+}
+
 /// A uniform point c of the cap plus the view: Nh = c + Vh up to a positive factor. `r2` and phi are a point of the
 /// unit disk that Lambert's map lays on the cap, e = 1 - r2.
 ///
 /// With z the height of c over the rim, 1 - c.z^2 = r2 (1 - (k Vh.z)^2 + (1 + k Vh.z) z): no difference is taken. What
 /// stays is the sum c + Vh where c is nearly -Vh. The third component is that of c over the rim, (1 - k) Vh.z short.
 template <class F>
-VNDF_INLINE Vec3<F> on_cap(const CapView<F>& view, const Cap<F>& cap, F r2, F e, const Angle<F>& phi) {
-  F z = e * cap.height;
-  F radius = op::sqrt(r2 * (cap.radius2 + cap.height * z));
+VNDF_INLINE Vec3<F> on_cap(const CapAtView<F>& view, F r2, F e, const Angle<F>& phi) {
+  F z = e * view.cap.height;
+  F radius = op::sqrt(r2 * (view.cap.radius2 + view.cap.height * z));
   return {radius * phi.cos + view.x, radius * phi.sin + view.y, z};
 }
 
-/// Dupuy and Benyoub 2023, Listing 3, from h = A V, u1 for the azimuth and u2 for the height of c.
+/// Dupuy and Benyoub 2023, Listing 3, with u1 = phi / 2 pi for the azimuth and u2 for the height of c.
 template <class F>
-VNDF_INLINE Vec3<F> sample_cap(const Vec3<F>& h, Vec2<F> u) {
-  auto view = map_to_cap(h, cap_scale(h));
-  return on_cap(view, visible_cap(view, h.z), u.y, F(1.f) - u.y, sincos2pi(u.x));
+VNDF_INLINE Vec3<F> on_visible_cap(const CapAtView<F>& view, const Angle<F>& phi, F u2) {
+  return on_cap(view, u2, F(1.f) - u2, phi);
 }
 
 }  // namespace VNDF_LANES_BUILD

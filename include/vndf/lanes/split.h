@@ -3,7 +3,6 @@
 #pragma once
 
 #include <vndf/lanes/simd.h>
-#include <type_traits>
 
 namespace vndf::lanes {
 inline namespace VNDF_LANES_BUILD {
@@ -32,22 +31,27 @@ VNDF_INLINE Split<F> split(const Wide<F>& a) {
   return {high, op::narrow(a - op::widen(high))};
 }
 
-/// The same value as another type: a float, a Split, or a double of each.
-template <class T, class F>
-VNDF_INLINE T as(F a) {
-  if constexpr (std::is_same_v<T, Wide<F>>)
-    return op::widen(a);
-  else
-    return a;
+/// As a float.
+template <class F>
+VNDF_INLINE F narrowed(const Split<F>& a) {
+  return a.high + a.low;
 }
-template <class T, class F>
-VNDF_INLINE T as(const Split<F>& a) {
-  if constexpr (std::is_same_v<T, Wide<F>>)
-    return op::widen(a.high) + op::widen(a.low);
-  else if constexpr (std::is_same_v<T, F>)
-    return a.high + a.low;
-  else
-    return a;
+
+/// a / b, to about 30 bits.
+template <class F>
+VNDF_INLINE Split<F> quotient(const Split<F>& a, const Split<F>& b) {
+  F divisor = narrowed(b);
+  F high = first_bits(narrowed(a) / divisor);
+  return {high, ((a.high - high * b.high) + (a.low - high * b.low)) / divisor};
+}
+
+/// a - b c.
+template <class F>
+VNDF_INLINE Split<F> difference(const Split<F>& a, const Split<F>& b, const Split<F>& c) {
+  F large = a.high - b.high * c.high;
+  F rest = ((a.high - large) - b.high * c.high) + (a.low - (b.high * c.low + b.low * narrowed(c)));
+  F high = first_bits(large);
+  return {high, (large - high) + rest};
 }
 
 /// a x + b y.
@@ -61,17 +65,6 @@ template <class F>
 VNDF_INLINE F sum_of_products(const Split<F>& a, F x, const Split<F>& b, F y) {
   auto p = split(x), q = split(y);
   return (a.high * p.high + b.high * q.high) + ((a.high * p.low + a.low * x) + (b.high * q.low + b.low * y));
-}
-
-/// a x - b y, with the same promise.
-template <class F>
-VNDF_INLINE F difference_of_products(F a, F x, F b, F y) {
-  return a * x - b * y;
-}
-template <class F>
-VNDF_INLINE F difference_of_products(const Split<F>& a, F x, const Split<F>& b, F y) {
-  auto p = split(x), q = split(y);
-  return (a.high * p.high - b.high * q.high) + ((a.high * p.low + a.low * x) - (b.high * q.low + b.low * y));
 }
 
 /// a x + b y + z.
