@@ -70,7 +70,8 @@ struct NormalsOnDisk {
     }
     for (std::size_t i = begin; i < end; i += kWidth) {
       in.template prefetch<3, 4>(i);
-      views.store(i, map_to_hemisphere(stretch(surface.frame.wo(in, i), surface.shape.at(in, i))));
+      auto shape = surface.shape.at(in, i);
+      views.store(i, map_to_hemisphere(stretch(surface.frame.wo(in, i), shape), azimuth_of(shape)));
     }
     for (std::size_t i = begin; i < end; i += kWidth) {
       in.template prefetch<5>(i);
@@ -101,7 +102,8 @@ struct NormalsOnCap {
     for (std::size_t i = begin; i < end; i += kWidth) {
       in.template prefetch<5, 6>(i);
       Vec2<F> u = load_u(in, i);
-      normals.store(i, on_visible_cap(caps.load(i), surface.shape.azimuth(lanes::sincos2pi(u.x), i), u.y));
+      normals.store(
+          i, on_visible_cap(caps.load(i), plus(lanes::sincos2pi(u.x), azimuth_of(surface.shape.load(in, i))), u.y));
     }
     for (std::size_t i = begin; i < end; i += kWidth) {
       in.template prefetch<3, 4>(i);

@@ -6,10 +6,10 @@
 
 namespace vndf {
 Shape shape_of(const Ellipsoid& constants) noexcept {
-  auto of = lanes::tilted_shape<float>({constants.alpha.x.value, constants.alpha.y.value}, constants.theta_x.value,
-                                       constants.theta_y.value, constants.theta_z.value);
   Shape shape;
-  ShapeAccess::set(shape, of.shape, azimuth_of(of));
+  ShapeAccess::set(
+      shape, lanes::tilted_shape<float>({constants.alpha.x.value, constants.alpha.y.value}, constants.theta_x.value,
+                                        constants.theta_y.value, constants.theta_z.value));
   return shape;
 }
 
@@ -39,7 +39,7 @@ ShapeError make_shape(const float (&a)[9], Shape& shape) noexcept {
     if (!(value >= kSmallest && value <= kLargest)) return ShapeError::out_of_range;
   for (float value : {n.yx, n.zx, n.zy})
     if (!(std::fabs(value) <= kLargest)) return ShapeError::out_of_range;
-  ShapeAccess::set(shape, reduced, {1.f, 0.f});
+  ShapeAccess::set(shape, reduced);
   return ShapeError::none;
 }
 

@@ -38,9 +38,10 @@ class FacetsOnDisk {
     }
     for (std::size_t i = begin; i < end; i += kWidth) {
       in.template prefetch<3, 4>(i);
-      Vec3<F> h = stretch(View::view(surface.frame.wo(in, i)), surface.shape.at(in, i));
+      auto shape = surface.shape.at(in, i);
+      Vec3<F> h = stretch(View::view(surface.frame.wo(in, i)), shape);
       Stretched view;
-      view.hemisphere = map_to_hemisphere(h, view.length);
+      view.hemisphere = map_to_hemisphere(h, azimuth_of(shape), view.length);
       views_.store(i, view);
       if constexpr (!Surface::kUpright) areas_.store(i, {lune_area(h, view.hemisphere, view.length)});
     }
@@ -91,7 +92,7 @@ class FacetsOnCap {
       in.template prefetch<5, 6>(i);
       Vec2<F> u = load_u(in, i);
       if constexpr (warp == Warp::spherical_cap) {
-        auto phi = surface.shape.azimuth(lanes::sincos2pi(u.x), i);
+        auto phi = plus(lanes::sincos2pi(u.x), azimuth_of(surface.shape.load(in, i)));
         facets_.store(i, sample_on_cap(caps_.load(i), u.y, F(1.f) - u.y, phi));
       } else {
         auto t = map_disk<kDiskMap<warp>>(u);

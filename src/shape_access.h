@@ -9,14 +9,14 @@
 namespace vndf {
 
 struct ShapeAccess {
-  static VNDF_INLINE void set(Shape& shape, const lanes::Tilted<float>& a, const lanes::Angle<float>& azimuth) {
-    static_assert(sizeof a + sizeof azimuth == sizeof shape);
+  static VNDF_INLINE void set(Shape& shape, const lanes::Tilted<float>& a) {
+    static_assert(sizeof a == sizeof shape);
     std::memcpy(shape.a_, &a, sizeof a);
-    std::memcpy(shape.azimuth_, &azimuth, sizeof azimuth);
   }
-  static VNDF_INLINE void get(const Shape& shape, lanes::Tilted<float>& a, lanes::Angle<float>& azimuth) {
+  static VNDF_INLINE lanes::Tilted<float> get(const Shape& shape) {
+    lanes::Tilted<float> a;
     std::memcpy(&a, shape.a_, sizeof a);
-    std::memcpy(&azimuth, shape.azimuth_, sizeof azimuth);
+    return a;
   }
 };
 

@@ -10,7 +10,6 @@
 //   at(in, i)                A for the products with the view, in two parts where it is not plain GGX
 //   load(in, i)              A narrowed
 //   for_pair(in, i)          what evaluates a given pair of directions
-//   azimuth(phi, i)          phi of the cap, which begins where theta_z has turned it
 //
 // kAlpha is the column of alpha_x, alpha_y follows it; kTheta that of the first angle. T is Split<F>, or F for the cap,
 // where the products with the view may be those of floats.
@@ -93,7 +92,6 @@ struct AlphaColumns {
   static VNDF_INLINE Vec2<F> for_pair(const Inputs<N>& in, std::size_t i) {
     return at(in, i);
   }
-  static VNDF_INLINE lanes::Angle<F> azimuth(const lanes::Angle<F>& phi, std::size_t) { return phi; }
 };
 
 /// One shape for all lanes.
@@ -102,13 +100,10 @@ class OneShape {
   using Type = lanes::Tilted<F>;
 
   VNDF_INLINE void set(const Shape& shape) {
-    lanes::Tilted<float> a;
-    lanes::Angle<float> azimuth;
-    ShapeAccess::get(shape, a, azimuth);
+    auto a = ShapeAccess::get(shape);
     auto all = [](const lanes::Split<float>& element) { return lanes::Split<F>{F(element.high), F(element.low)}; };
-    shape_ = {F(a.xx), all(a.yx), all(a.yy), all(a.zx), all(a.zy)};
+    shape_ = {F(a.xx), all(a.yx), all(a.yy), all(a.zx), all(a.zy), {F(a.azimuth.cos), F(a.azimuth.sin)}};
     for_pair_ = lanes::for_pairs(shape_);
-    azimuth_ = {F(azimuth.cos), F(azimuth.sin)};
   }
 
   template <std::size_t N>
@@ -117,24 +112,22 @@ class OneShape {
   template <std::size_t N>
   VNDF_INLINE lanes::Tilted<F> at(const Inputs<N>&, std::size_t) const {
     const auto& a = shape_;
-    return {a.xx, a.yx, a.yy, a.zx, a.zy};
+    return {a.xx, a.yx, a.yy, a.zx, a.zy, a.azimuth};
   }
   template <std::size_t N>
   VNDF_INLINE lanes::Tilted<F, F> load(const Inputs<N>&, std::size_t) const {
     const auto& a = for_pair_.narrowed;
-    return {a.xx, a.yx, a.yy, a.zx, a.zy};
+    return {a.xx, a.yx, a.yy, a.zx, a.zy, a.azimuth};
   }
   template <std::size_t N>
   VNDF_INLINE lanes::TiltedForPairs<F> for_pair(const Inputs<N>&, std::size_t) const {
     const auto& a = for_pair_.narrowed;
-    return {{a.xx, a.yx, a.yy, a.zx, a.zy}, for_pair_.xy, for_pair_.xz, for_pair_.yz};
+    return {{a.xx, a.yx, a.yy, a.zx, a.zy, a.azimuth}, for_pair_.xy, for_pair_.xz, for_pair_.yz};
   }
-  VNDF_INLINE lanes::Angle<F> azimuth(const lanes::Angle<F>& phi, std::size_t) const { return plus(phi, azimuth_); }
 
  private:
   lanes::Tilted<F> shape_;
   lanes::TiltedForPairs<F> for_pair_;
-  lanes::Angle<F> azimuth_;
 };
 
 /// The columns of alpha and of all angles.
@@ -147,14 +140,12 @@ class TiltedColumns {
   VNDF_INLINE void prepare(const Inputs<N>& in, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; i += kWidth) {
       in.template prefetch<kTheta, kTheta + 1, kTheta + 2>(i);
-      auto of = lanes::tilted_shape(AlphaColumns<kAlpha>::at(in, i), in.template load<kTheta>(i),
-                                    in.template load<kTheta + 1>(i), in.template load<kTheta + 2>(i));
-      if constexpr (kForCap) {
-        shapes_.store(i, narrowed(of.shape));
-        azimuths_.store(i, azimuth_of(of));
-      } else {
-        shapes_.store(i, of.shape);
-      }
+      auto shape = lanes::tilted_shape(AlphaColumns<kAlpha>::at(in, i), in.template load<kTheta>(i),
+                                       in.template load<kTheta + 1>(i), in.template load<kTheta + 2>(i));
+      if constexpr (kForCap)
+        shapes_.store(i, narrowed(shape));
+      else
+        shapes_.store(i, shape);
     }
   }
   template <std::size_t N>
@@ -172,14 +163,10 @@ class TiltedColumns {
   VNDF_INLINE lanes::TiltedForPairs<F> for_pair(const Inputs<N>& in, std::size_t i) const {
     return for_pairs(at(in, i));
   }
-  VNDF_INLINE lanes::Angle<F> azimuth(const lanes::Angle<F>& phi, std::size_t i) const {
-    return plus(phi, azimuths_.load(i));
-  }
 
  private:
   static constexpr bool kForCap = std::is_same_v<T, F>;
   Staged<lanes::Tilted<F, T>, kLanes> shapes_;
-  Staged<lanes::Angle<F>, kForCap ? kLanes : kWidth> azimuths_;
 };
 
 /// Plain GGX in turned frames, for given pairs of directions.

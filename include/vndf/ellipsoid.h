@@ -37,8 +37,8 @@ class Shape {
 
  private:
   friend struct ShapeAccess;
-  // ((xx, 0, 0), (yx, yy, 0), (zx, zy, 1)): xx, and the others in two parts; where azimuths on the cap begin.
-  float a_[9] = {1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 0.f}, azimuth_[2] = {1.f, 0.f};
+  // lanes::Tilted: xx, then yx, yy, zx, zy of ((xx, 0, 0), (yx, yy, 0), (zx, zy, 1)) in two parts, then the azimuth.
+  float a_[11] = {1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 0.f, 1.f, 0.f};
 };
 
 enum class ShapeError { none, not_finite, not_positive, out_of_range };

@@ -22,16 +22,23 @@ struct HemisphereView {
 ///
 /// Scaling by a power of two is exact, takes views of any length and lets near-normal views, whose azimuth components
 /// would square to nothing, keep them. A tangent under 2^-32 is taken as 2^-32 and changes no normal by more than
-/// 2^-32; azimuth components under 2^-100 are taken as the x axis. 1 - |z| = r2 / (len (len + |z| len)), no difference
-/// taken. `norm` is |A V|, which the densities need.
-template <class F>
-VNDF_INLINE HemisphereView<F> map_to_hemisphere(const Vec3<F>& h, F& norm) {
+/// 2^-32; azimuth components under 2^-100 are taken as the direction where azimuths begin. 1 - |z| = r2 / (len (len +
+/// |z| len)), no difference taken. `norm` is |A V|, which the densities need.
+template <class F, class Azimuth = XAxis>
+VNDF_INLINE HemisphereView<F> map_to_hemisphere(const Vec3<F>& h, Azimuth azimuth, F& norm) {
   constexpr float kSmallest = 0x1p-100f, kLongest = 0x1p52f;
   Int<F> larger = op::max(op::bits(op::abs(h.x)), op::bits(op::abs(h.y)));
   Int<F> exponent = op::max(larger, Int<F>(0x0d800000)) & Int<F>(0x7f800000);  // at least kSmallest
   F scale = op::from_bits(Int<F>(std::int32_t(0x89000000u)) - exponent);       // 2^20 / 2^exponent
-  F x = op::select(op::from_bits(larger) < F(kSmallest), F(kSmallest), h.x) * scale;
-  F y = h.y * scale;
+  auto none = op::from_bits(larger) < F(kSmallest);
+  F x, y;
+  if constexpr (std::is_same_v<Azimuth, XAxis>) {
+    x = op::select(none, F(kSmallest), h.x) * scale;
+    y = h.y * scale;
+  } else {
+    x = op::select(none, azimuth.cos * F(kSmallest), h.x) * scale;
+    y = op::select(none, azimuth.sin * F(kSmallest), h.y) * scale;
+  }
   F abs_z = op::abs(h.z * scale);
   auto steep = abs_z > F(kLongest);
   abs_z = op::select(steep, F(kLongest), abs_z);
@@ -55,10 +62,10 @@ VNDF_INLINE HemisphereView<F> map_to_hemisphere(const Vec3<F>& h, F& norm) {
           op::select(below, large, small)};
 }
 
-template <class F>
-VNDF_INLINE HemisphereView<F> map_to_hemisphere(const Vec3<F>& h) {
+template <class F, class Azimuth = XAxis>
+VNDF_INLINE HemisphereView<F> map_to_hemisphere(const Vec3<F>& h, Azimuth azimuth = {}) {
   F norm;
-  return map_to_hemisphere(h, norm);
+  return map_to_hemisphere(h, azimuth, norm);
 }
 
 /// What the squish leaves of the chord, with z the view's: lift = (1 + z) top, and the height of the normal above the

@@ -8,7 +8,7 @@ inline namespace VNDF_LANES_BUILD {
 
 template <class F, class Shape = Vec2<F>>
 VNDF_INLINE Vec3<F> sample_normal_on_chord(Vec3<F> wo, const Shape& shape, const Chord<F>& t) {
-  auto view = map_to_hemisphere(stretch(wo, shape));
+  auto view = map_to_hemisphere(stretch(wo, shape), azimuth_of(shape));
   return map_from_hemisphere(reproject(view, t, squish(view, t)), narrowed(shape));
 }
 
@@ -26,7 +26,8 @@ template <class F, class Shape = Vec2<F>>
 VNDF_INLINE Vec3<F> sample_normal_cap(Vec3<F> wo, const Shape& shape, Vec2<F> u) {
   // The sum of two vectors that comes loses more than a product with floats.
   auto a = narrowed(shape);
-  return map_from_hemisphere(on_visible_cap(visible_cap_of(stretch(wo, a)), sincos2pi(u.x), u.y), a);
+  return map_from_hemisphere(on_visible_cap(visible_cap_of(stretch(wo, a)), plus(sincos2pi(u.x), azimuth_of(a)), u.y),
+                             a);
 }
 
 }  // namespace VNDF_LANES_BUILD

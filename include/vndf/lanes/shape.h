@@ -29,6 +29,7 @@ template <class F, class T = Split<F>>
 struct Tilted {
   F xx;
   T yx, yy, zx, zy;
+  Angle<F> azimuth;  // where they begin in the hemisphere configuration: at what is its x axis without theta_z
 };
 
 /// A = diag(alpha_x, alpha_y, 1) Rz: GGX whose axes are turned about n. Theta is SmallAngle<F>, or Angle<F> in a shape
@@ -52,11 +53,6 @@ struct TiltedForPairs {
   Tilted<F, F> narrowed;
   Split<F> xy, xz, yz;
 };
-template <class F>
-VNDF_INLINE TiltedForPairs<F> for_pairs(const Tilted<F>& a) {
-  auto xy = quotient(a.yx, a.yy);
-  return {{a.xx, narrowed(a.yx), narrowed(a.yy), narrowed(a.zx), narrowed(a.zy)}, xy, difference(a.zx, xy, a.zy), a.zy};
-}
 
 // Functions of a shape take Vec2 where nothing says which, so that {alpha_x, alpha_y} is a shape.
 
@@ -74,15 +70,35 @@ VNDF_INLINE Vec2<F> narrowed(const Vec2<F>& alpha) {
 }
 template <class F>
 VNDF_INLINE Tilted<F, F> narrowed(const Tilted<F>& a) {
-  return {a.xx, narrowed(a.yx), narrowed(a.yy), narrowed(a.zx), narrowed(a.zy)};
+  return {a.xx, narrowed(a.yx), narrowed(a.yy), narrowed(a.zx), narrowed(a.zy), a.azimuth};
 }
 template <class F>
 VNDF_INLINE const Tilted<F, F>& narrowed(const TiltedForPairs<F>& a) {
   return a.narrowed;
 }
 template <class F>
+VNDF_INLINE TiltedForPairs<F> for_pairs(const Tilted<F>& a) {
+  auto xy = quotient(a.yx, a.yy);
+  return {narrowed(a), xy, difference(a.zx, xy, a.zy), a.zy};
+}
+template <class F>
 VNDF_INLINE Turned<F, Angle<F>> narrowed(const Turned<F>& a) {
   return {narrowed(a.theta_z), a.alpha};
+}
+
+/// The x axis: where azimuths begin unless a shape says otherwise.
+struct XAxis {};
+template <class F>
+VNDF_INLINE XAxis azimuth_of(const Vec2<F>&) {
+  return {};
+}
+template <class F, class T>
+VNDF_INLINE Angle<F> azimuth_of(const Tilted<F, T>& a) {
+  return a.azimuth;
+}
+template <class F>
+VNDF_INLINE Angle<F> plus(const Angle<F>& phi, XAxis) {
+  return phi;
 }
 
 /// A v, Heitz 2018, eq. 5.
@@ -179,26 +195,14 @@ VNDF_INLINE Tilted<F> triangle(const ColumnProducts<Wide<F>>& of) {
           yx,
           {op::select(alone, F(0.f), parts.high), op::select(alone, op::narrow(yy), parts.low)},
           split<F>(of.a1_a3 * inv_a3_a3),
-          split<F>(of.a2_a3 * inv_a3_a3)};
-}
-
-/// A shape of angles, and where azimuths begin in its hemisphere configuration: at the x axis of the one that the shape
-/// has for theta_z = 0. Of any length.
-template <class F>
-struct ShapeOfAngles {
-  Tilted<F> shape;
-  Vec2<F> x_axis;
-};
-template <class F>
-VNDF_INLINE Angle<F> azimuth_of(const ShapeOfAngles<F>& of) {
-  F length = op::sqrt(of.x_axis.x * of.x_axis.x + of.x_axis.y * of.x_axis.y);
-  return {of.x_axis.x / length, of.x_axis.y / length};
+          split<F>(of.a2_a3 * inv_a3_a3),
+          {F(1.f), F(0.f)}};
 }
 
 /// S Rx(theta_x) Ry(theta_y) Rz(theta_z), eq. 2-3. For theta_z = 0, c1 = -|S| S^-1 r2 and c2 = |S| S^-1 r1 with the
 /// columns r of Rx Ry, and most of the sums collapse; theta_z turns a1 and a2, and c1 and c2 with them.
 template <class F>
-VNDF_INLINE ShapeOfAngles<F> tilted_shape(const Vec2<F>& alpha, F theta_x, F theta_y, F theta_z) {
+VNDF_INLINE Tilted<F> tilted_shape(const Vec2<F>& alpha, F theta_x, F theta_y, F theta_z) {
   using W = Wide<F>;
   auto x = angle_of<W>(theta_x), y = angle_of<W>(theta_y), z = angle_of<W>(theta_z);
   W alpha_x = op::widen(alpha.x), alpha_y = op::widen(alpha.y), determinant = alpha_x * alpha_y;
@@ -217,7 +221,12 @@ VNDF_INLINE ShapeOfAngles<F> tilted_shape(const Vec2<F>& alpha, F theta_x, F the
       determinant, turned_1(a1_a3, a2_a3), turned_2(a1_a3, a2_a3), ax_sin * ax_sin + (y.cos * y.cos) * without_y,
       dot(d1, d2), op::sqrt(dot(d2, d2))};
   auto shape = triangle<F>(products);
-  return {shape, {op::narrow(dot(c2, d2) * products.inverse()), F(0.f) - op::narrow(z.sin) * shape.xx}};
+
+  // The x axis of a triangle is along c2: turned by theta_z, d2, the old one is at these two products with it.
+  F along = op::narrow(dot(c2, d2) * products.inverse()), across = F(0.f) - op::narrow(z.sin) * shape.xx;
+  F length = op::sqrt(along * along + across * across);
+  shape.azimuth = {along / length, across / length};
+  return shape;
 }
 
 }  // namespace VNDF_LANES_BUILD
