@@ -32,12 +32,12 @@ struct GivenFrame {
 
 /// Calls f(i, rotation) for the angles of a column. The next one is reduced beside: one after the other, the two steps
 /// are a chain too long for a core to overlap.
-template <std::size_t kTheta, std::size_t N, class Function>
+template <std::size_t kTheta, class T, std::size_t N, class Function>
 VNDF_INLINE void for_each_rotation(const Inputs<N>& in, std::size_t begin, std::size_t end, Function f) {
   auto reduced = lanes::reduce_angle(in.template load<kTheta>(begin));
   for (std::size_t i = begin; i < end; i += kWidth) {
     in.template prefetch<kTheta>(i);
-    auto rotation = lanes::rotation_of(reduced);
+    auto rotation = lanes::rotation_of<T>(reduced);
     reduced = lanes::reduce_angle(in.template load<kTheta>(i + kWidth < end ? i + kWidth : begin));
     f(i, rotation);
   }
@@ -48,7 +48,7 @@ class TurnedFrame {
  public:
   template <std::size_t N>
   VNDF_INLINE void prepare(const Inputs<N>& in, std::size_t begin, std::size_t end) {
-    for_each_rotation<kTheta>(in, begin, end, [&](std::size_t i, const lanes::Rotation<F>& rotation) {
+    for_each_rotation<kTheta, T>(in, begin, end, [&](std::size_t i, const lanes::Rotation<F>& rotation) {
       auto theta_z = lanes::angle_of<F>(rotation);
       Vec3<F> wo;
       if constexpr (std::is_same_v<T, F>)
@@ -177,7 +177,7 @@ class TurnedColumns {
 
   template <std::size_t N>
   VNDF_INLINE void prepare(const Inputs<N>& in, std::size_t begin, std::size_t end) {
-    for_each_rotation<kTheta>(in, begin, end, [&](std::size_t i, const lanes::Rotation<F>& rotation) {
+    for_each_rotation<kTheta, lanes::Split<F>>(in, begin, end, [&](std::size_t i, const lanes::Rotation<F>& rotation) {
       shapes_.store(i, turned_shape(AlphaColumns<kAlpha>::at(in, i), rotation));
     });
   }

@@ -75,7 +75,7 @@ void expect_bits_of_ellipsoids() {
       lanes::Vec2<F> a{load(3), load(4)}, uv{load(8), load(9)};
       lanes::Vec3<F> wm;
       if (turned) {
-        auto theta_z = lanes::rotation_of(lanes::reduce_angle(load(7)));
+        auto theta_z = lanes::rotation_of(load(7));
         wm = turn_back(sample(turn(v, theta_z), a, uv), lanes::angle_of<F>(theta_z));
       } else {
         wm = sample(v, lanes::tilted_shape(a, load(5), load(6), load(7)), uv);

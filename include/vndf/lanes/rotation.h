@@ -69,14 +69,20 @@ struct Rotation {
   QuarterTurns<F> turns;
 };
 
-/// By minimax polynomials.
-template <class F>
+/// By minimax polynomials. T = F, for uses that lose more than that: without x_low.
+template <class T, class F>
 VNDF_INLINE Rotation<F> rotation_of(const ReducedAngle<F>& theta) {
   F x = theta.x;
   F q = x * x;
   F sine = (x * q) * (F(-0x1.55554p-3f) + q * (F(0x1.1105bcp-7f) + q * F(-0x1.98dc1cp-13f)));
   F cosine = (q * q) * (F(0x1.55554ap-5f) + q * (F(-0x1.6c0c1ap-10f) + q * F(0x1.99e0eep-16f)));
-  return {{x, theta.x_low + sine, cosine - theta.x_low * x}, QuarterTurns<F>(op::bits(theta.turns))};
+  SmallAngle<F> small = {x, sine, cosine};
+  if constexpr (std::is_same_v<T, Split<F>>) small = {x, theta.x_low + sine, cosine - theta.x_low * x};
+  return {small, QuarterTurns<F>(op::bits(theta.turns))};
+}
+template <class F>
+VNDF_INLINE Rotation<F> rotation_of(F theta) {
+  return rotation_of<Split<F>>(reduce_angle(theta));
 }
 
 /// 1 - cos.
@@ -108,7 +114,7 @@ VNDF_INLINE Angle<T> angle_of(const Rotation<F>& r) {
 }
 template <class T, class F>
 VNDF_INLINE Angle<T> angle_of(F theta) {
-  return angle_of<T>(rotation_of(reduce_angle(theta)));
+  return angle_of<T>(rotation_of(theta));
 }
 
 /// Rz v, Walter et al. 2015, eq. 3.
