@@ -18,8 +18,8 @@ namespace vndf {
 ///
 /// alpha    from 1e-6 to 100.
 /// theta_z  turns the axes of alpha about n: alpha_x is the roughness along (cos theta_z, -sin theta_z, 0).
-/// theta_x, theta_y  lean the distribution. Angles are taken modulo 2 pi; up to pi either way costs half an eps of
-///          the direction, more whole turns cost theta eps.
+/// theta_x, theta_y  lean the distribution. Angles are taken modulo 2 pi; up to pi either way costs 0.6 eps of the
+///          direction, more whole turns theta eps, and beyond 1e6 either way results are unspecified.
 struct Ellipsoid {
   Columns2 alpha;
   Column theta_x, theta_y, theta_z;
@@ -44,9 +44,9 @@ class Shape {
 enum class ShapeError { none, not_finite, not_positive, out_of_range };
 
 /// Shape of a general matrix A, row by row: eq. 1 with n = +z. A factor, or an orthogonal matrix on the left, changes
-/// nothing but which sample belongs to which u. |A| must be more than 2^-40 |a1| |a2| |a3|, with the columns' lengths,
-/// and what is left of A less these invariants between 2^-40 and 2^40; else `shape` is unchanged, and the answer is the
-/// reason.
+/// nothing: what is kept is the lower triangle with A n = n that they leave of A. |A| must be more than 2^-40 |a1| |a2|
+/// |a3|, with the columns' lengths, the triangle's diagonal between 2^-40 and 2^40 and the rest of it at most 2^40;
+/// else `shape` is unchanged, and the answer is the reason.
 [[nodiscard]] ShapeError make_shape(const float (&a)[9], Shape& shape) noexcept;
 
 /// One line for people.
@@ -57,14 +57,15 @@ const char* message(ShapeError error) noexcept;
 ///
 /// wo, u, wm, warp  as there. Views for which A wo points away from A n are sampled as well.
 ///
-/// For theta = 0 the values of vndf.h; as columns of zeros theta_x and theta_y leave them within 4 eps.
+/// For theta = 0 the bits of vndf.h; for theta_x = theta_y = 0 its samples in a frame turned about n. Shapes of
+/// make_shape count azimuths on the cap, and those of a view along n, from the normal of A y and A n.
 ///
-/// Largest error, in eps = 2^-24, against Walter's eq. 34-47 with A itself in quadruple precision, on 2^15 samples of
+/// Largest error, in eps = 2^-24, against Walter's eq. 34-47 with A itself in quadruple precision, on 2^17 samples of
 /// each row of tests/ellipsoid/accuracy_test.cpp, polar and concentric: for |theta_x|, |theta_y| <= 0.5 and alpha from
-/// 1e-3 to 1 mean 1.1, p99.9 6.5, largest 43 but where twice what half a unit of the last place of the inputs moves the
-/// exact normal by is more (374), and for u = 0 exactly 2^-26 / alpha. For any angles mean 1.2, p99.9 20, largest 81.
-/// The cap: mean 1.3, p99.9 33, largest 1360; at the rim of the disk mean 7.3, p99.9 480, largest 51 000; for any
-/// angles mean 1.5, p99.9 69, largest 1710.
+/// 1e-3 to 1 mean 1.1, p99.9 7, largest 19 but where twice what half a unit of the last place of the inputs moves the
+/// exact normal by is more (830), and for u = 0 exactly 2^-26 / alpha. For any angles mean 1.2, p99.9 20, largest 152.
+/// The cap: mean 1.4, p99.9 41, largest 6900; at the rim of the disk mean 6, p99.9 434, largest 91 000; for any angles
+/// mean 1.6, p99.9 77, largest 5400.
 ///
 /// NaN or infinity in any input of a lane, or alpha = 0: unspecified values or NaN in that lane.
 void sample_normals(Warp warp, std::size_t count, const Columns3& wo, const Ellipsoid& ellipsoid, const Columns2& u,
@@ -74,15 +75,16 @@ void sample_normals(Warp warp, std::size_t count, const Columns3& wo, const Shap
 
 /// sample_reflection of vndf.h: wi, eq. 47; pdf, eq. 48; weight, eq. 50 without Fresnel's factor, in [0, 1]. Masking is
 /// G = G1(wo) G1(wi), eq. 5, with the minimum of eq. 6: the height-correlated one is not defined with it, and neither
-/// is bounded sampling. For theta = 0 as constants the bits of vndf.h with separable masking.
+/// is bounded sampling. For theta = 0 the bits of vndf.h with separable masking, but for weights of columns of zeros as
+/// theta_x or theta_y, which are within 4 eps of them.
 void sample_reflection(Warp warp, std::size_t count, const Columns3& wo, const Ellipsoid& ellipsoid, const Columns2& u,
                        const ReflectionSamples& out) noexcept;
 void sample_reflection(Warp warp, std::size_t count, const Columns3& wo, const Shape& shape, const Columns2& u,
                        const ReflectionSamples& out) noexcept;
 
 /// evaluate_reflection of vndf.h: f_cos = D(h) G1(wo) G1(wi) / (4 wo.z), eq. 4, and the pdf of sample_reflection. Both
-/// are 0 where wo.z < 0 or wi.z <= 0. For theta = 0 as above. Relative error, of pdf_normals times wo.wm: 25 eps, or
-/// 4 + 2 / alpha eps where that is more, with the smaller alpha.
+/// are 0 where wo.z < 0 or wi.z <= 0. For theta = 0 as above, f_cos as the weights. Relative error, of pdf_normals
+/// times wo.wm: 25 eps, or 4 + 2 / alpha eps where that is more, with the smaller alpha.
 void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& wi, const Ellipsoid& ellipsoid,
                          const Evaluations& out) noexcept;
 void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& wi, const Shape& shape,
