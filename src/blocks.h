@@ -13,7 +13,7 @@ constexpr std::size_t kWidth = vndf::lanes::kWidth<F>;
 
 constexpr std::size_t kCacheLine = 64 / sizeof(float);
 
-/// Lanes of a block: its columns and what its stages hand one another fit into 32 KiB.
+/// Lanes of a block: for plain GGX its columns and what its stages hand one another fit into 32 KiB.
 constexpr std::size_t kBlock = 256;
 
 /// The inputs of a kernel: columns, or constants that are a vector wide and do not advance.

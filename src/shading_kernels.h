@@ -14,12 +14,12 @@ using StagedForShading = Staged<T, kShadingBlock>;
 template <Warp warp>
 constexpr DiskMap kDiskMap = warp == Warp::polar ? DiskMap::polar : DiskMap::concentric;
 
-/// The view that is sampled for: the one given, or for a dielectric the one turned to the upper hemisphere.
+/// The view that is sampled for: the one given, or for a dielectric the one mirrored to the upper hemisphere.
 struct AsGiven {
   static VNDF_INLINE Vec3<F> view(const Vec3<F>& wo) { return wo; }
 };
-struct TurnedUp {
-  static VNDF_INLINE Vec3<F> view(const Vec3<F>& wo) { return lanes::turned(wo.z < F(0.f), wo); }
+struct FacingUp {
+  static VNDF_INLINE Vec3<F> view(const Vec3<F>& wo) { return lanes::mirrored(wo.z < F(0.f), wo); }
 };
 
 /// Visible normals from the disk, as Heitz 2018 lays it on the hemisphere.
@@ -266,11 +266,11 @@ class DielectricKernel {
         in.template prefetch<3, 4, 7, 8>(i);
         Vec3<F> wo = surface.frame.wo(in, i);
         auto below = wo.z < F(0.f);
-        wo = lanes::turned(below, wo);
-        auto sample =
-            lanes::sample_dielectric<Masked>(wo, surface.shape.load(in, i), facets_.load(i, wo.z),
-                                             lanes::turned_eta(below, in.template load<7>(i)), in.template load<8>(i));
-        Vec3<F> wi = surface.frame.back(lanes::turned(below, sample.wi), i);
+        wo = lanes::mirrored(below, wo);
+        auto sample = lanes::sample_dielectric<Masked>(wo, surface.shape.load(in, i), facets_.load(i, wo.z),
+                                                       lanes::mirrored_eta(below, in.template load<7>(i)),
+                                                       in.template load<8>(i));
+        Vec3<F> wi = surface.frame.back(lanes::mirrored(below, sample.wi), i);
         out.store<0>(i, wi.x);
         out.store<1>(i, wi.y);
         out.store<2>(i, wi.z);
@@ -282,7 +282,7 @@ class DielectricKernel {
   }
 
  private:
-  Facets<warp, false, TurnedUp, Surface> facets_;
+  Facets<warp, false, FacingUp, Surface> facets_;
 };
 
 template <Warp warp, Masking masking>
@@ -303,9 +303,9 @@ struct DielectricEvaluation {
     for (std::size_t i = begin; i < end; i += kWidth) {
       Vec3<F> wo = load_wo(in, i), wi = load_second(in, i);
       auto below = wo.z < F(0.f);
-      auto value = lanes::evaluate_dielectric<Masked>(lanes::turned(below, wo), lanes::turned(below, wi),
+      auto value = lanes::evaluate_dielectric<Masked>(lanes::mirrored(below, wo), lanes::mirrored(below, wi),
                                                       surface.shape.for_pair(in, i),
-                                                      lanes::turned_eta(below, in.template load<8>(i)));
+                                                      lanes::mirrored_eta(below, in.template load<8>(i)));
       out.store<0>(i, value.f_cos);
       out.store<1>(i, value.pdf);
     }

@@ -11,6 +11,8 @@
 //   load(in, i)              A narrowed
 //   for_pair(in, i)          what evaluates a given pair of directions
 //
+// and kUpright, whether (A v).z is v.z. Those that only serve given pairs have no at and load.
+//
 // kAlpha is the column of alpha_x, alpha_y follows it; kTheta that of the first angle. T is Split<F>, or F for the cap,
 // where the products with the view may be those of floats.
 #pragma once
@@ -49,13 +51,8 @@ class TurnedFrame {
   template <std::size_t N>
   VNDF_INLINE void prepare(const Inputs<N>& in, std::size_t begin, std::size_t end) {
     for_each_rotation<kTheta, T>(in, begin, end, [&](std::size_t i, const lanes::Rotation<F>& rotation) {
-      auto theta_z = lanes::angle_of<F>(rotation);
-      Vec3<F> wo;
-      if constexpr (std::is_same_v<T, F>)
-        wo = turn(load_wo(in, i), theta_z);
-      else
-        wo = turn(load_wo(in, i), rotation);
-      turned_.store(i, {wo.x, wo.y, theta_z});
+      Vec3<F> wo = lanes::turn_as<T>(load_wo(in, i), rotation);
+      turned_.store(i, {wo.x, wo.y, lanes::angle_of<F>(rotation)});
     });
   }
   template <std::size_t N>
@@ -76,7 +73,7 @@ class TurnedFrame {
 /// Plain GGX: the columns of alpha.
 template <std::size_t kAlpha>
 struct AlphaColumns {
-  using Type = Vec2<F>;
+  static constexpr bool kUpright = true;
 
   template <std::size_t N>
   VNDF_INLINE void prepare(const Inputs<N>&, std::size_t, std::size_t) {}
@@ -97,7 +94,7 @@ struct AlphaColumns {
 /// One shape for all lanes.
 class OneShape {
  public:
-  using Type = lanes::Tilted<F>;
+  static constexpr bool kUpright = false;
 
   VNDF_INLINE void set(const Shape& shape) {
     auto a = ShapeAccess::get(shape);
@@ -134,7 +131,7 @@ class OneShape {
 template <std::size_t kAlpha, std::size_t kTheta, std::size_t kLanes, class T>
 class TiltedColumns {
  public:
-  using Type = lanes::Tilted<F>;
+  static constexpr bool kUpright = false;
 
   template <std::size_t N>
   VNDF_INLINE void prepare(const Inputs<N>& in, std::size_t begin, std::size_t end) {
@@ -173,7 +170,7 @@ class TiltedColumns {
 template <std::size_t kAlpha, std::size_t kTheta>
 class TurnedColumns {
  public:
-  using Type = lanes::Turned<F>;
+  static constexpr bool kUpright = true;
 
   template <std::size_t N>
   VNDF_INLINE void prepare(const Inputs<N>& in, std::size_t begin, std::size_t end) {
@@ -193,7 +190,7 @@ class TurnedColumns {
 /// What a kernel is templated on.
 template <class Frame, class Shape>
 struct Surface {
-  static constexpr bool kUpright = lanes::kUpright<typename Shape::Type>;
+  static constexpr bool kUpright = Shape::kUpright;
   Frame frame;
   Shape shape;
 

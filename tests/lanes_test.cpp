@@ -51,53 +51,87 @@ TEST_P(Lanes, Batch) {
 
 // And for ellipsoids: a shape for what leans, and a turned frame where only theta_z is there.
 template <class F>
-void expect_bits_of_ellipsoids() {
-  constexpr std::size_t kCount = 1 << 12;
-  reference::Random random(3);
-  Table in(10, std::vector<float>(kCount));  // wo, alpha, theta, u
-  for (std::size_t i = 0; i < kCount; ++i) {
-    for (std::size_t c : {0, 1, 2}) in[c][i] = float(random.uniform(-1, 1));
-    for (std::size_t c : {3, 4}) in[c][i] = float(random.log_uniform(1e-3, 1));
-    for (std::size_t c : {5, 6, 7}) in[c][i] = float(random.uniform(-3, 3));
-    for (std::size_t c : {8, 9}) in[c][i] = random.unit();
-  }
-  Columns3 wo{in[0].data(), in[1].data(), in[2].data()};
-  Columns2 alpha{in[3].data(), in[4].data()}, u{in[8].data(), in[9].data()};
-  Table batch(3, std::vector<float>(kCount)), lane = batch;
-  auto compare = [&](Warp warp, bool turned, auto sample) {
-    sample_normals(
-        warp, kCount, wo,
-        turned ? Ellipsoid(alpha, 0.f, 0.f, in[7].data()) : Ellipsoid(alpha, in[5].data(), in[6].data(), in[7].data()),
-        u, {batch[0].data(), batch[1].data(), batch[2].data()});
-    for (std::size_t i = 0; i < kCount; i += lanes::kWidth<F>) {
-      auto load = [&](std::size_t c) { return lanes::op::load<F>(in[c].data() + i); };
-      lanes::Vec3<F> v{load(0), load(1), load(2)};
-      lanes::Vec2<F> a{load(3), load(4)}, uv{load(8), load(9)};
-      lanes::Vec3<F> wm;
-      if (turned) {
-        auto theta_z = lanes::rotation_of(load(7));
-        wm = turn_back(sample(turn(v, theta_z), a, uv), lanes::angle_of<F>(theta_z));
-      } else {
-        wm = sample(v, lanes::tilted_shape(a, load(5), load(6), load(7)), uv);
-      }
-      lanes::op::store(wm.x, lane[0].data() + i);
-      lanes::op::store(wm.y, lane[1].data() + i);
-      lanes::op::store(wm.z, lane[2].data() + i);
+class EllipsoidLanes {
+ public:
+  EllipsoidLanes() {
+    reference::Random random(3);
+    for (std::size_t i = 0; i < kCount; ++i) {
+      for (std::size_t c : {0, 1, 2}) in_[c][i] = float(random.uniform(-1, 1));
+      for (std::size_t c : {3, 4}) in_[c][i] = float(random.log_uniform(1e-3, 1));
+      for (std::size_t c : {5, 6, 7}) in_[c][i] = float(random.uniform(-3, 3));
+      for (std::size_t c : {8, 9}) in_[c][i] = random.unit();
+      for (std::size_t c : {10, 11, 12}) in_[c][i] = float(random.uniform(-1, 1));
     }
-    EXPECT_TRUE(same_bits(batch, lane)) << int(warp) << " " << turned;
-  };
-  for (bool turned : {false, true}) {
-    compare(Warp::polar, turned, [](auto v, auto s, auto uv) { return lanes::sample_normal_polar(v, s, uv); });
-    compare(Warp::concentric, turned,
-            [](auto v, auto s, auto uv) { return lanes::sample_normal_concentric(v, s, uv); });
   }
-  compare(Warp::spherical_cap, false, [](auto v, auto s, auto uv) { return lanes::sample_normal_cap(v, s, uv); });
-}
+  void expect_bits() {
+    expect_normals<lanes::Split<F>>(Warp::polar,
+                                    [](auto v, auto shape, auto u) { return lanes::sample_normal_polar(v, shape, u); });
+    expect_normals<lanes::Split<F>>(
+        Warp::concentric, [](auto v, auto shape, auto u) { return lanes::sample_normal_concentric(v, shape, u); });
+    expect_normals<F>(Warp::spherical_cap,
+                      [](auto v, auto shape, auto u) { return lanes::sample_normal_cap(v, shape, u); });
+    for (bool turned : {false, true}) {
+      evaluate_reflection(kCount, wo(), {column(10), column(11), column(12)}, ellipsoid(turned),
+                          {batch_[0].data(), batch_[1].data()});
+      each([&](std::size_t i, const V& v, const A& alpha) {
+        V wi{load(10, i), load(11, i), load(12, i)};
+        lanes::Evaluation<F> value = turned
+                                         ? lanes::evaluate_reflection<lanes::Separable>(
+                                               v, wi, turned_shape(alpha, lanes::rotation_of(load(7, i))))
+                                         : lanes::evaluate_reflection<lanes::Lunes>(v, wi, for_pairs(shape(alpha, i)));
+        return V{value.f_cos, value.pdf, F(0.f)};
+      });
+      batch_[2].assign(kCount, 0.f);
+      EXPECT_TRUE(same_bits(batch_, lane_)) << "evaluation " << turned;
+    }
+  }
+
+ private:
+  static constexpr std::size_t kCount = 1 << 12;
+  using V = lanes::Vec3<F>;
+  using A = lanes::Vec2<F>;
+
+  const float* column(std::size_t c) const { return in_[c].data(); }
+  F load(std::size_t c, std::size_t i) const { return lanes::op::load<F>(column(c) + i); }
+  Columns3 wo() const { return {column(0), column(1), column(2)}; }
+  Ellipsoid ellipsoid(bool turned) const {
+    Columns2 alpha{column(3), column(4)};
+    return turned ? Ellipsoid(alpha, 0.f, 0.f, column(7)) : Ellipsoid(alpha, column(5), column(6), column(7));
+  }
+  lanes::Tilted<F> shape(const A& alpha, std::size_t i) const {
+    return lanes::tilted_shape(alpha, load(5, i), load(6, i), load(7, i));
+  }
+  template <class Function>
+  void each(Function f) {
+    for (std::size_t i = 0; i < kCount; i += lanes::kWidth<F>) {
+      V result = f(i, V{load(0, i), load(1, i), load(2, i)}, A{load(3, i), load(4, i)});
+      lanes::op::store(result.x, lane_[0].data() + i);
+      lanes::op::store(result.y, lane_[1].data() + i);
+      lanes::op::store(result.z, lane_[2].data() + i);
+    }
+  }
+  template <class T, class Sample>
+  void expect_normals(Warp warp, Sample sample) {
+    for (bool turned : {false, true}) {
+      sample_normals(warp, kCount, wo(), ellipsoid(turned), {column(8), column(9)},
+                     {batch_[0].data(), batch_[1].data(), batch_[2].data()});
+      each([&](std::size_t i, const V& v, const A& alpha) {
+        A u{load(8, i), load(9, i)};
+        return turned ? lanes::sample_in_turned_frame<T>(v, load(7, i), [&](V wo) { return sample(wo, alpha, u); })
+                      : sample(v, shape(alpha, i), u);
+      });
+      EXPECT_TRUE(same_bits(batch_, lane_)) << int(warp) << " " << turned;
+    }
+  }
+
+  Table in_{13, std::vector<float>(kCount)};  // wo, alpha, theta, u, wi
+  Table batch_{3, std::vector<float>(kCount)}, lane_ = batch_;
+};
 TEST(Ellipsoids, Float) {
-  expect_bits_of_ellipsoids<float>();
+  EllipsoidLanes<float>().expect_bits();
 }
 TEST(Ellipsoids, Batch) {
-  expect_bits_of_ellipsoids<xsimd::batch<float>>();
+  EllipsoidLanes<xsimd::batch<float>>().expect_bits();
 }
 
 }  // namespace

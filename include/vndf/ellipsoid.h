@@ -84,7 +84,8 @@ void sample_reflection(Warp warp, std::size_t count, const Columns3& wo, const S
 
 /// evaluate_reflection of vndf.h: f_cos = D(h) G1(wo) G1(wi) / (4 wo.z), eq. 4, and the pdf of sample_reflection. Both
 /// are 0 where wo.z < 0 or wi.z <= 0. For theta = 0 as above, f_cos as the weights. Relative error, of pdf_normals
-/// times wo.wm: 25 eps, or 4 + 2 / alpha eps where that is more, with the smaller alpha.
+/// times wo.wm: 25 eps, or 4 + 2 / min(alpha_x, alpha_y) eps where that is more, for alpha up to 1; beyond, 25 or
+/// 12 + 6 max(alpha_x, alpha_y) / min(1, alpha_x, alpha_y).
 void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& wi, const Ellipsoid& ellipsoid,
                          const Evaluations& out) noexcept;
 void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& wi, const Shape& shape,

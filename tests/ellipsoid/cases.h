@@ -60,6 +60,16 @@ inline std::vector<Case> cases() {
   };
 }
 
+/// Beyond what normals are promised for.
+inline Case alpha_up_to_100() {
+  Case row = cases().front();
+  row.inputs.name = "alpha_up_to_100";
+  row.inputs.alpha = [](reference::Random& random) {
+    return std::array<double, 2>{random.log_uniform(1e-3, 100), random.log_uniform(1e-3, 100)};
+  };
+  return row;
+}
+
 struct Angles {
   std::vector<float> x, y, z;
   bool turned;

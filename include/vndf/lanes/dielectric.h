@@ -72,12 +72,12 @@ VNDF_INLINE F dielectric_weight(Mask<F> reflects, F wo_z, F length, F area, cons
 /// A view from below sees the surface turned upside down: everything is mirrored in the origin, which leaves A as it
 /// is, and eta is that of the other way.
 template <class F>
-VNDF_INLINE Vec3<F> turned(Mask<F> below, const Vec3<F>& v) {
+VNDF_INLINE Vec3<F> mirrored(Mask<F> below, const Vec3<F>& v) {
   return {op::select(below, F(0.f) - v.x, v.x), op::select(below, F(0.f) - v.y, v.y),
           op::select(below, F(0.f) - v.z, v.z)};
 }
 template <class F>
-VNDF_INLINE F turned_eta(Mask<F> below, F eta) {
+VNDF_INLINE F mirrored_eta(Mask<F> below, F eta) {
   return op::select(below, F(1.f) / eta, eta);
 }
 
@@ -117,7 +117,7 @@ VNDF_INLINE Evaluation<F> evaluate_dielectric(const Vec3<F>& wo, const Vec3<F>& 
   auto reflects = wi.z >= F(0.f);
   F e = op::select(reflects, F(1.f), eta);
   Vec3<F> h = {wo.x + e * wi.x, wo.y + e * wi.y, wo.z + e * wi.z};
-  h = turned(h.z < F(0.f), h);
+  h = mirrored(h.z < F(0.f), h);
   F cos_o = dot(wo, h);
   F cos_i = dot(wi, h);
   auto f = fresnel(cos_o / op::sqrt(dot(h, h)), eta);

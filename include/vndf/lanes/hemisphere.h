@@ -3,6 +3,7 @@
 #pragma once
 
 #include <vndf/lanes/shape.h>
+#include <type_traits>
 
 namespace vndf::lanes {
 inline namespace VNDF_LANES_BUILD {
@@ -28,8 +29,8 @@ template <class F, class Azimuth = XAxis>
 VNDF_INLINE HemisphereView<F> map_to_hemisphere(const Vec3<F>& h, Azimuth azimuth, F& norm) {
   constexpr float kSmallest = 0x1p-100f, kLongest = 0x1p52f;
   Int<F> larger = op::max(op::bits(op::abs(h.x)), op::bits(op::abs(h.y)));
-  Int<F> exponent = op::max(larger, Int<F>(0x0d800000)) & Int<F>(0x7f800000);  // at least kSmallest
-  F scale = op::from_bits(Int<F>(std::int32_t(0x89000000u)) - exponent);       // 2^20 / 2^exponent
+  Int<F> exponent = op::max(larger, Int<F>(0x0d800000)) & Int<F>(0x7f800000);       // at least kSmallest
+  F scale = op::from_bits(op::minus(Int<F>(std::int32_t(0x89000000u)), exponent));  // 2^20 / 2^exponent
   auto none = op::from_bits(larger) < F(kSmallest);
   F x, y;
   if constexpr (std::is_same_v<Azimuth, XAxis>) {

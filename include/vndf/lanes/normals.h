@@ -30,5 +30,13 @@ VNDF_INLINE Vec3<F> sample_normal_cap(Vec3<F> wo, const Shape& shape, Vec2<F> u)
                              a);
 }
 
+/// Plain GGX whose axes theta_z turns about n: sample(wo) is one of the above for alpha and u. T is Split<F> for the
+/// disk, F for the cap.
+template <class T, class F, class Sample>
+VNDF_INLINE Vec3<F> sample_in_turned_frame(const Vec3<F>& wo, F theta_z, Sample sample) {
+  auto rotation = rotation_of<T>(reduce_angle(theta_z));
+  return turn_back(sample(turn_as<T>(wo, rotation)), angle_of<F>(rotation));
+}
+
 }  // namespace VNDF_LANES_BUILD
 }  // namespace vndf::lanes

@@ -2,12 +2,13 @@
 // same density and the BRDF for a given pair of directions.
 //
 // All of it needs two lengths of the view: a = |A wo|, and `area`, twice the projected area of the normals that are
-// sampled: a + wo.z for all visible ones. Views are unit vectors above the horizon or on it; below, directions are
-// written, with density and weight 0.
+// sampled: a + (A wo).z for all visible ones, and (A wo).z is wo.z unless the shape leans. Views are unit vectors above
+// the horizon or on it; below, directions are written, with density and weight 0.
 #pragma once
 
 #include <vndf/lanes/ggx.h>
 #include <vndf/lanes/spherical_cap.h>
+
 #include <type_traits>
 
 namespace vndf::lanes {
@@ -21,7 +22,7 @@ struct Facet {
   F norm2;      // c^2
   F twice_cos;  // 2 A wo.nh = 2 c |A^T Nh| wo.wm
   F length;     // |A wo|
-  F area;       // |A wo| + k wo.z, twice the projected area of the normals that are sampled; k = 1 if not bounded
+  F area;       // |A wo| + k (A wo).z, twice the projected area of the normals that are sampled; k = 1 if not bounded
 };
 
 /// nh.z with the addend of map_from_hemisphere, before its length is taken, so that the two agree.

@@ -3,6 +3,7 @@
 
 #include <vndf/lanes/sincos2pi.h>
 #include <vndf/lanes/split.h>
+#include <type_traits>
 
 namespace vndf::lanes {
 inline namespace VNDF_LANES_BUILD {
@@ -29,7 +30,7 @@ struct QuarterTurns {
 
   VNDF_INLINE explicit QuarterTurns(Int<F> n)
       : odd(op::from_bits(op::shift_left<31>(n) | Int<F>(0x3f800000)) < F(0.f)),
-        sign_x(op::shift_left<30>((n + Int<F>(1)) & Int<F>(2))),
+        sign_x(op::shift_left<30>((n ^ op::shift_left<1>(n)) & Int<F>(2))),
         sign_y(op::shift_left<30>(n & Int<F>(2))) {}
 
   VNDF_INLINE F x(F x, F y) const { return op::from_bits(op::bits(op::select(odd, y, x)) ^ sign_x); }
@@ -56,13 +57,13 @@ VNDF_INLINE ReducedAngle<F> reduce_angle(F theta) {
   return {x, (y - x) - rest, turns};
 }
 
-/// At most pi/4, and a little more, of which the cosine is 1 - x^2 / 2 + more and the sine x + tail.
+/// At most pi/4, and a little more: the cosine is 1 - x^2 / 2 + cos_rest, the sine x + sin_rest.
 template <class F>
 struct SmallAngle {
-  F x, tail, more;
+  F x, sin_rest, cos_rest;
 };
 
-/// To 0.5 eps of the direction for |theta| <= pi, and nothing for 0: what a shape's axes lose, small alpha magnifies.
+/// To 0.4 eps of the direction for |theta| <= pi, and nothing for 0: what a shape's axes lose, small alpha magnifies.
 template <class F>
 struct Rotation {
   SmallAngle<F> small;
@@ -88,11 +89,11 @@ VNDF_INLINE Rotation<F> rotation_of(F theta) {
 /// 1 - cos.
 template <class F>
 VNDF_INLINE F versine(const SmallAngle<F>& a) {
-  return (a.x * a.x) * F(0.5f) - a.more;
+  return (a.x * a.x) * F(0.5f) - a.cos_rest;
 }
 template <class F>
 VNDF_INLINE Angle<F> narrowed(const SmallAngle<F>& a) {
-  return {F(1.f) - versine(a), a.x + a.tail};
+  return {F(1.f) - versine(a), a.x + a.sin_rest};
 }
 
 /// (cos, sin)(theta) in T: a float, or a double.
@@ -108,8 +109,8 @@ VNDF_INLINE Angle<T> angle_of(const Rotation<F>& r) {
       return (op::widen(large) - less * op::widen(of_cos)) + op::widen(rest);
     };
     F one(1.f), zero(0.f);
-    return {sum(turns.x(one, small.x), turns.x(small.more, small.tail), turns.x(one, zero)),
-            sum(turns.y(one, small.x), turns.y(small.more, small.tail), turns.y(one, zero))};
+    return {sum(turns.x(one, small.x), turns.x(small.cos_rest, small.sin_rest), turns.x(one, zero)),
+            sum(turns.y(one, small.x), turns.y(small.cos_rest, small.sin_rest), turns.y(one, zero))};
   }
 }
 template <class T, class F>
@@ -122,19 +123,27 @@ template <class F>
 VNDF_INLINE Vec3<F> turn(const Vec3<F>& v, const Angle<F>& z) {
   return {z.cos * v.x - z.sin * v.y, z.sin * v.x + z.cos * v.y, v.z};
 }
-/// The same to a fraction of an eps: the large ones of the products are exact, and what they are taken from is v
-/// itself.
+/// The same, but what cancels keeps its digits, to 0.6 eps: the large ones of the products are exact, and what they are
+/// taken from is v itself.
 template <class F>
 VNDF_INLINE Vec3<F> turn(const Vec3<F>& v, const SmallAngle<F>& z) {
   F less = versine(z);
   auto x = split(v.x), y = split(v.y), s = split(z.x);
-  s.low = s.low + z.tail;
+  s.low = s.low + z.sin_rest;
   return {(v.x - s.high * y.high) - (less * v.x + (s.high * y.low + s.low * v.y)),
           (v.y + s.high * x.high) - (less * v.y - (s.high * x.low + s.low * v.x)), v.z};
 }
 template <class F>
 VNDF_INLINE Vec3<F> turn(const Vec3<F>& v, const Rotation<F>& z) {
   return turn(Vec3<F>{z.turns.x(v.x, v.y), z.turns.y(v.x, v.y), v.z}, z.small);
+}
+/// By one or the other.
+template <class T, class F>
+VNDF_INLINE Vec3<F> turn_as(const Vec3<F>& v, const Rotation<F>& z) {
+  if constexpr (std::is_same_v<T, F>)
+    return turn(v, angle_of<F>(z));
+  else
+    return turn(v, z);
 }
 /// Rz^T v.
 template <class F>

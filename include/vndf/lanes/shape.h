@@ -1,6 +1,6 @@
-// What gives a distribution its shape: the matrix A that stretches the ellipsoid to a sphere, and the three things that
-// the mathematics asks of it. Plain GGX is Vec2 {alpha_x, alpha_y}: A = diag(alpha_x, alpha_y, 1). The ellipsoid NDF
-// (Walter et al. 2015) has any A with |A| > 0.
+// What gives a distribution its shape: the matrix A that stretches the ellipsoid to a sphere, and what the mathematics
+// asks of it: A v, A^T v, A^-T v, |A|, and where azimuths begin. Plain GGX is Vec2 {alpha_x, alpha_y}: A =
+// diag(alpha_x, alpha_y, 1). The ellipsoid NDF (Walter et al. 2015) has any A with |A| > 0.
 //
 // Neither a factor nor an orthogonal matrix on the left of A changes the distribution, so every A can be had as a lower
 // triangle with A n = n: Q A / |A n|. Then A n is the z axis of the hemisphere configuration, as in plain GGX, the
@@ -12,8 +12,9 @@
 //
 // The products A v and Rz v are sums that can cancel, for views near the horizon of the leaning ellipsoid, or along the
 // narrow axis of a turned one; small alpha magnifies what is lost then. Hence A and the angle are given in two parts,
-// T = Split<F>, where they meet the view. The way back, A^T Nh, is as well conditioned as that of plain GGX and takes
-// floats, T = F: a shape and an angle are `narrowed` for it.
+// T = Split<F>, where they meet the view that is sampled for, and so is A^-T. The way back, A^T Nh, and the lengths of
+// A v, are as well conditioned as those of plain GGX and take floats, T = F: a shape and an angle are `narrowed` for
+// them. So are they for the cap, the sum of which loses more.
 //
 // Frames: Walter's disk is Heitz's turned, (x_a, y_a) = (t2, -t1). Here it is Heitz's everywhere.
 #pragma once
@@ -29,7 +30,8 @@ template <class F, class T = Split<F>>
 struct Tilted {
   F xx;
   T yx, yy, zx, zy;
-  Angle<F> azimuth;  // where they begin in the hemisphere configuration: at what is its x axis without theta_z
+  // Of the x axis that the triangle has for theta_z = 0. Azimuths count from there, so that theta_z turns the samples.
+  Angle<F> azimuth;
 };
 
 /// A = diag(alpha_x, alpha_y, 1) Rz: GGX whose axes are turned about n. Theta is SmallAngle<F>, or Angle<F> in a shape
@@ -206,24 +208,26 @@ VNDF_INLINE Tilted<F> tilted_shape(const Vec2<F>& alpha, F theta_x, F theta_y, F
   using W = Wide<F>;
   auto x = angle_of<W>(theta_x), y = angle_of<W>(theta_y), z = angle_of<W>(theta_z);
   W alpha_x = op::widen(alpha.x), alpha_y = op::widen(alpha.y), determinant = alpha_x * alpha_y;
-  W ax_cos = alpha_x * x.cos, ay_sin = alpha_y * x.sin, ax_sin = alpha_x * y.sin;
-  W without_y = ay_sin * ay_sin + x.cos * x.cos;  // a3_a3 for theta_y = 0
+  W ax_xcos = alpha_x * x.cos, ay_xsin = alpha_y * x.sin, ax_ysin = alpha_x * y.sin;
+  W without_y = ay_xsin * ay_xsin + x.cos * x.cos;  // a3_a3 for theta_y = 0
   W a1_a3 = (y.sin * y.cos) * (alpha_x * alpha_x - without_y);
   W a2_a3 = ((x.sin * x.cos) * y.cos) * (W(1) - alpha_y * alpha_y);
-  Vec3<W> c1 = {W(0), W(0) - ax_cos, W(0) - alpha_x * ay_sin};
-  Vec3<W> c2 = {alpha_y * y.cos, ax_sin * x.sin, W(0) - (ax_sin * alpha_y) * x.cos};
+  Vec3<W> c1 = {W(0), W(0) - ax_xcos, W(0) - alpha_x * ay_xsin};
+  Vec3<W> c2 = {alpha_y * y.cos, ax_ysin * x.sin, W(0) - (ax_ysin * alpha_y) * x.cos};
 
   auto turned_1 = [&](W a1, W a2) { return a1 * z.cos + a2 * z.sin; };
   auto turned_2 = [&](W a1, W a2) { return a2 * z.cos - a1 * z.sin; };
   Vec3<W> d1 = {turned_1(c1.x, c2.x), turned_1(c1.y, c2.y), turned_1(c1.z, c2.z)};
   Vec3<W> d2 = {turned_2(c1.x, c2.x), turned_2(c1.y, c2.y), turned_2(c1.z, c2.z)};
   ColumnProducts<W> products = {
-      determinant, turned_1(a1_a3, a2_a3), turned_2(a1_a3, a2_a3), ax_sin * ax_sin + (y.cos * y.cos) * without_y,
+      determinant, turned_1(a1_a3, a2_a3), turned_2(a1_a3, a2_a3), ax_ysin * ax_ysin + (y.cos * y.cos) * without_y,
       dot(d1, d2), op::sqrt(dot(d2, d2))};
   auto shape = triangle<F>(products);
 
-  // The x axis of a triangle is along c2: turned by theta_z, d2, the old one is at these two products with it.
-  F along = op::narrow(dot(c2, d2) * products.inverse()), across = F(0.f) - op::narrow(z.sin) * shape.xx;
+  // The x axis of a triangle is along c2. That of theta_z = 0 has these components along d2 and across, times 2^40 to
+  // keep their squares.
+  F along = op::narrow(dot(c2, d2) * products.inverse()) * F(0x1p40f);
+  F across = F(0.f) - op::narrow(z.sin) * (shape.xx * F(0x1p40f));
   F length = op::sqrt(along * along + across * across);
   shape.azimuth = {along / length, across / length};
   return shape;

@@ -141,7 +141,14 @@ VNDF_INLINE IntBatch<Arch> max(IntBatch<Arch> a, IntBatch<Arch> b) {
   return xsimd::max(a, b);
 }
 
-// Of unsigned integers: a signed shift into the sign bit is undefined.
+// Of unsigned integers: signed, a difference or a shift into the sign bit is undefined.
+VNDF_INLINE std::int32_t minus(std::int32_t a, std::int32_t b) {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
+}
+template <class Arch>
+VNDF_INLINE IntBatch<Arch> minus(IntBatch<Arch> a, IntBatch<Arch> b) {
+  return a - b;
+}
 template <int bits>
 VNDF_INLINE std::int32_t shift_left(std::int32_t a) {
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) << bits);
@@ -166,16 +173,9 @@ VNDF_INLINE F with_sign_of(F magnitude, F sign) {
 VNDF_INLINE double sqrt(double a) {
   return __builtin_sqrt(a);
 }
-VNDF_INLINE double with_sign_of(double magnitude, double sign) {
-  return __builtin_copysign(magnitude, sign);
-}
 template <class Arch>
 VNDF_INLINE Doubles<Arch> sqrt(const Doubles<Arch>& a) {
   return {xsimd::sqrt(a.low), xsimd::sqrt(a.high)};
-}
-template <class Arch>
-VNDF_INLINE Doubles<Arch> with_sign_of(const Doubles<Arch>& magnitude, const Doubles<Arch>& sign) {
-  return {magnitude.low | xsimd::bitofsign(sign.low), magnitude.high | xsimd::bitofsign(sign.high)};
 }
 
 /// Exact.

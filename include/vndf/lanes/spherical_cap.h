@@ -13,7 +13,7 @@ struct CapView {
   F x, y, abs_z;  // A V, the last without its sign
   F r2;           // x^2 + y^2
   F length;       // |A V|
-  F sum;          // |A V| + |V.z|
+  F sum;          // |A V| + |(A V).z|
 };
 
 /// h = A V, times `scale`, a power of two or 1.

@@ -37,7 +37,7 @@ VNDF_INLINE F narrowed(const Split<F>& a) {
   return a.high + a.low;
 }
 
-/// a / b, to about 30 bits.
+/// a / b, to 33 bits.
 template <class F>
 VNDF_INLINE Split<F> quotient(const Split<F>& a, const Split<F>& b) {
   F divisor = narrowed(b);
@@ -45,11 +45,14 @@ VNDF_INLINE Split<F> quotient(const Split<F>& a, const Split<F>& b) {
   return {high, ((a.high - high * b.high) + (a.low - high * b.low)) / divisor};
 }
 
-/// a - b c.
+/// a - b c, to 32 bits of the larger term.
 template <class F>
 VNDF_INLINE Split<F> difference(const Split<F>& a, const Split<F>& b, const Split<F>& c) {
-  F large = a.high - b.high * c.high;
-  F rest = ((a.high - large) - b.high * c.high) + (a.low - (b.high * c.low + b.low * narrowed(c)));
+  F product = b.high * c.high;
+  F large = a.high - product;
+  F a_in_large = large + product;
+  F error = (a.high - a_in_large) - (product - (a_in_large - large));
+  F rest = error + (a.low - (b.high * c.low + b.low * narrowed(c)));
   F high = first_bits(large);
   return {high, (large - high) + rest};
 }
@@ -59,7 +62,7 @@ template <class F>
 VNDF_INLINE F sum_of_products(F a, F x, F b, F y) {
   return a * x + b * y;
 }
-/// The same, but for the rounding of the result to 2^-34 of the larger product: where the first sum is rounded, it is
+/// The same, but for the rounding of the result to 2^-33 of the larger product: where the first sum is rounded, it is
 /// not small.
 template <class F>
 VNDF_INLINE F sum_of_products(const Split<F>& a, F x, const Split<F>& b, F y) {
