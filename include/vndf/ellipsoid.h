@@ -11,9 +11,8 @@ namespace vndf {
 /// A = S R, eq. 2-3: S = diag(alpha_x, alpha_y, 1), R = Rx(theta_x) Ry(theta_y) Rz(theta_z), angles in radians. Columns
 /// or constants:
 ///  - all angles the constant 0: plain GGX with separable masking, its bits and its speed.
-///  - all five constants: one matrix for the batch, 1.1 to 1.3 times the time of plain GGX; reflecting and evaluating 1.2
-///    to 1.5 times.
-///  - theta_x and theta_y the constant 0: axes of anisotropy that a texture turns, 1.3 to 1.5 times; evaluating 1.6 to 2.
+///  - all five constants: one matrix for the batch, normals 1.1 to 1.3 times the time of plain GGX, the rest to 1.55.
+///  - theta_x and theta_y the constant 0: axes that a texture turns, 1.3 to 1.55 times; evaluating 1.6 to 2.
 ///  - else the matrix is worked out for each lane, 4 to 9 times; evaluating 8 to 11.
 /// The third way rounds otherwise than the second and the fourth, which have the same bits.
 ///
