@@ -62,7 +62,7 @@ template <class F>
 VNDF_INLINE F sum_of_products(F a, F x, F b, F y) {
   return a * x + b * y;
 }
-/// The same, but for the rounding of the result to 2^-33 of the larger product: where the first sum is rounded, it is
+/// The same, but for the rounding of the result to 2^-32 of the larger product: where the first sum is rounded, it is
 /// not small.
 template <class F>
 VNDF_INLINE F sum_of_products(const Split<F>& a, F x, const Split<F>& b, F y) {
