@@ -26,6 +26,8 @@ VNDF_INLINE Vec2<F> load_u(const Inputs<N>& in, std::size_t i) {
 
 #include "shapes.h"
 
+#include "disk_stages.h"
+
 namespace {
 
 VNDF_INLINE void store(const Vec2<F>& v, const Outputs<2>& out, std::size_t i) {
@@ -38,76 +40,59 @@ VNDF_INLINE void store(const Vec3<F>& v, const Outputs<3>& out, std::size_t i) {
   out.store<2>(i, v.z);
 }
 
-template <DiskMap map>
-VNDF_INLINE lanes::DiskPoint<F> map_disk(Vec2<F> u) {
-  return map == DiskMap::polar ? lanes::polar_map(u) : lanes::concentric_map(u);
-}
-
 template <DiskMap map, class Surface = PlainSurface<3>>
 struct NormalsOnDisk {
+  static constexpr std::size_t kLanes = kBlock;
   Surface surface;
-  Staged<lanes::DiskPoint<F>> points;
-  Staged<lanes::Chord<F>> chords;
-  Staged<lanes::HemisphereView<F>> views;
+  DiskStages<map, AsGiven, Surface, kBlock, false> disk;
   Staged<Vec3<F>> normals;
 
   template <std::size_t N>
-  VNDF_INLINE void operator()(const Inputs<N>& in, const Outputs<3>& wm, std::size_t begin, std::size_t end) {
-    surface.prepare(in, begin, end);
-    if (end - begin == kWidth) {
-      auto t = chord(map_disk<map>(load_u(in, begin)));
-      auto normal = sample_normal_on_chord(surface.frame.wo(in, begin), surface.shape.at(in, begin), t);
-      store(surface.frame.back(normal, begin), wm, begin);
+  VNDF_INLINE void operator()(const Inputs<N>& in, const Outputs<3>& wm, std::size_t n) {
+    surface.prepare(in, n);
+    if (n == kWidth) {
+      auto t = chord(map_disk<map>(load_u(in, 0)));
+      store(sample_normal_on_chord(surface.frame.wo(in, 0), surface.shape.at(in, 0), t, surface.frame.theta_z(0)), wm,
+            0);
       return;
     }
-    for (std::size_t i = begin; i < end; i += kWidth) {
-      in.template prefetch<0, 1>(i);
-      points.store(i, map_disk<map>(load_u(in, i)));
-    }
-    for (std::size_t i = begin; i < end; i += kWidth) {
-      in.template prefetch<2>(i);
-      chords.store(i, chord(points.load(i)));
-    }
-    for (std::size_t i = begin; i < end; i += kWidth) {
-      in.template prefetch<3, 4>(i);
-      auto shape = surface.shape.at(in, i);
-      views.store(i, map_to_hemisphere(stretch(surface.frame.wo(in, i), shape), azimuth_of(shape)));
-    }
-    for (std::size_t i = begin; i < end; i += kWidth) {
+    disk.run(in, surface, n);
+    for (std::size_t i = 0; i < n; i += kWidth) {
       in.template prefetch<5>(i);
-      auto view = views.load(i);
-      auto t = chords.load(i);
+      auto view = disk.view(i);
+      auto t = disk.chord(i);
       normals.store(i, reproject(view, t, squish(view, t)));
     }
-    for (std::size_t i = begin; i < end; i += kWidth) {
+    for (std::size_t i = 0; i < n; i += kWidth) {
       in.template prefetch<6>(i);
-      store(surface.frame.back(map_from_hemisphere(normals.load(i), surface.shape.load(in, i)), i), wm, i);
+      store(map_from_hemisphere(normals.load(i), surface.shape.load(in, i), surface.frame.theta_z(i)), wm, i);
     }
   }
 };
 
 template <class Surface = PlainSurface<3>>
 struct NormalsOnCap {
+  static constexpr std::size_t kLanes = kBlock;
   Surface surface;
   Staged<lanes::CapAtView<F>> caps;
   Staged<Vec3<F>> normals;
 
   template <std::size_t N>
-  VNDF_INLINE void operator()(const Inputs<N>& in, const Outputs<3>& wm, std::size_t begin, std::size_t end) {
-    surface.prepare(in, begin, end);
-    for (std::size_t i = begin; i < end; i += kWidth) {
+  VNDF_INLINE void operator()(const Inputs<N>& in, const Outputs<3>& wm, std::size_t n) {
+    surface.prepare(in, n);
+    for (std::size_t i = 0; i < n; i += kWidth) {
       in.template prefetch<0, 1, 2>(i);
       caps.store(i, visible_cap_of(stretch(surface.frame.wo(in, i), surface.shape.load(in, i))));
     }
-    for (std::size_t i = begin; i < end; i += kWidth) {
+    for (std::size_t i = 0; i < n; i += kWidth) {
       in.template prefetch<5, 6>(i);
       Vec2<F> u = load_u(in, i);
       normals.store(
           i, on_visible_cap(caps.load(i), plus(lanes::sincos2pi(u.x), azimuth_of(surface.shape.load(in, i))), u.y));
     }
-    for (std::size_t i = begin; i < end; i += kWidth) {
+    for (std::size_t i = 0; i < n; i += kWidth) {
       in.template prefetch<3, 4>(i);
-      store(surface.frame.back(map_from_hemisphere(normals.load(i), surface.shape.load(in, i)), i), wm, i);
+      store(map_from_hemisphere(normals.load(i), surface.shape.load(in, i), surface.frame.theta_z(i)), wm, i);
     }
   }
 };
@@ -121,9 +106,10 @@ void sample_normals(std::size_t count, const Columns3& wo, const Columns2& alpha
 
 template <DiskMap map>
 struct DiskPoints {
-  VNDF_INLINE void operator()(const Inputs<2>& u, const Outputs<2>& t, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; i += kWidth)
-      store(cartesian(map_disk<map>({u.load<0>(i), u.load<1>(i)})), t, i);
+  static constexpr std::size_t kLanes = kBlock;
+
+  VNDF_INLINE void operator()(const Inputs<2>& u, const Outputs<2>& t, std::size_t n) {
+    for (std::size_t i = 0; i < n; i += kWidth) store(cartesian(map_disk<map>({u.load<0>(i), u.load<1>(i)})), t, i);
   }
 };
 

@@ -14,62 +14,24 @@ using StagedForShading = Staged<T, kShadingBlock>;
 template <Warp warp>
 constexpr DiskMap kDiskMap = warp == Warp::polar ? DiskMap::polar : DiskMap::concentric;
 
-/// The view that is sampled for: the one given, or for a dielectric the one mirrored to the upper hemisphere.
-struct AsGiven {
-  static VNDF_INLINE Vec3<F> view(const Vec3<F>& wo) { return wo; }
-};
-struct FacingUp {
-  static VNDF_INLINE Vec3<F> view(const Vec3<F>& wo) { return lanes::mirrored(wo.z < F(0.f), wo); }
-};
-
 /// Visible normals from the disk, as Heitz 2018 lays it on the hemisphere.
 template <Warp warp, class View, class Surface>
 class FacetsOnDisk {
  public:
   template <std::size_t N>
-  VNDF_INLINE void sample(const Inputs<N>& in, const Surface& surface, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; i += kWidth) {
-      in.template prefetch<0, 1>(i);
-      points_.store(i, map_disk<kDiskMap<warp>>(load_u(in, i)));
-    }
-    for (std::size_t i = begin; i < end; i += kWidth) {
-      in.template prefetch<2>(i);
-      chords_.store(i, chord(points_.load(i)));
-    }
-    for (std::size_t i = begin; i < end; i += kWidth) {
-      in.template prefetch<3, 4>(i);
-      auto shape = surface.shape.at(in, i);
-      Vec3<F> h = stretch(View::view(surface.frame.wo(in, i)), shape);
-      Stretched view;
-      view.hemisphere = map_to_hemisphere(h, azimuth_of(shape), view.length);
-      views_.store(i, view);
-      if constexpr (!Surface::kUpright) areas_.store(i, {lune_area(h, view.hemisphere, view.length)});
-    }
-    for (std::size_t i = begin; i < end; i += kWidth) {
+  VNDF_INLINE void sample(const Inputs<N>& in, const Surface& surface, std::size_t n) {
+    disk_.run(in, surface, n);
+    for (std::size_t i = 0; i < n; i += kWidth) {
       in.template prefetch<5, 6>(i);
-      Stretched view = views_.load(i);
-      facets_.store(i, sample_on_chord(view.hemisphere, view.length, chords_.load(i)));
+      facets_.store(i, sample_on_chord(disk_.view(i), disk_.length(i), disk_.chord(i)));
     }
   }
   VNDF_INLINE Facet<F> load(std::size_t i, F wo_z) const {
-    auto view = views_.load(i);
-    F area = view.length + wo_z;
-    if constexpr (!Surface::kUpright) area = areas_.load(i).area;
-    return facet_of(facets_.load(i), view.length, area);
+    return facet_of(facets_.load(i), disk_.length(i), disk_.area(i, wo_z));
   }
 
  private:
-  struct Stretched {
-    lanes::HemisphereView<F> hemisphere;
-    F length;
-  };
-  struct Area {
-    F area;
-  };
-  StagedForShading<Area> areas_;  // of what leans
-  StagedForShading<lanes::DiskPoint<F>> points_;
-  StagedForShading<lanes::Chord<F>> chords_;
-  StagedForShading<Stretched> views_;
+  DiskStages<kDiskMap<warp>, View, Surface, kShadingBlock, true> disk_;
   StagedForShading<lanes::ChordFacet<F>> facets_;
 };
 
@@ -78,33 +40,33 @@ template <Warp warp, bool bounded, class View, class Surface>
 class FacetsOnCap {
  public:
   template <std::size_t N>
-  VNDF_INLINE void sample(const Inputs<N>& in, const Surface& surface, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; i += kWidth) {
+  VNDF_INLINE void sample(const Inputs<N>& in, const Surface& surface, std::size_t n) {
+    for (std::size_t i = 0; i < n; i += kWidth) {
       in.template prefetch<0, 1, 2>(i);
       Vec3<F> wo = View::view(surface.frame.wo(in, i));
-      auto shape = surface.shape.load(in, i);
+      const auto& shape = surface.shape.load(in, i);
       if constexpr (bounded)
         caps_.store(i, bounded_cap_to_reflect(wo, shape));
       else
         caps_.store(i, visible_cap_to_reflect(wo, shape));
     }
-    for (std::size_t i = begin; i < end; i += kWidth) {
+    for (std::size_t i = 0; i < n; i += kWidth) {
       in.template prefetch<5, 6>(i);
       Vec2<F> u = load_u(in, i);
       if constexpr (warp == Warp::spherical_cap) {
         auto phi = plus(lanes::sincos2pi(u.x), azimuth_of(surface.shape.load(in, i)));
-        facets_.store(i, sample_on_cap(caps_.load(i), u.y, F(1.f) - u.y, phi));
+        normals_.store(i, sample_on_cap(caps_.load(i), u.y, F(1.f) - u.y, phi));
       } else {
         auto t = map_disk<kDiskMap<warp>>(u);
-        facets_.store(i, sample_on_cap(caps_.load(i), t.r2, t.e, t.phi));
+        normals_.store(i, sample_on_cap(caps_.load(i), t.r2, t.e, t.phi));
       }
     }
   }
-  VNDF_INLINE Facet<F> load(std::size_t i, F) const { return facet_of(facets_.load(i)); }
+  VNDF_INLINE Facet<F> load(std::size_t i, F) const { return facet_of(normals_.load(i), caps_.load(i)); }
 
  private:
   StagedForShading<std::conditional_t<bounded, lanes::BoundedCapToReflect<F>, lanes::CapToReflect<F>>> caps_;
-  StagedForShading<lanes::CapFacet<F>> facets_;
+  StagedForShading<Vec3<F>> normals_;
 };
 
 template <Warp warp, bool bounded, class View, class Surface>
@@ -113,11 +75,6 @@ using Facets = std::conditional_t<bounded || warp == Warp::spherical_cap, Facets
 
 template <Masking masking>
 using MaskingOf = std::conditional_t<masking == Masking::height_correlated, lanes::HeightCorrelated, lanes::Separable>;
-
-/// The end of the half of a block that begins at `from`.
-VNDF_INLINE std::size_t end_of_half(std::size_t from, std::size_t end) {
-  return end - from < kShadingBlock ? end : from + kShadingBlock;
-}
 
 template <std::size_t C, std::size_t M>
 VNDF_INLINE void store_if_wanted(const Outputs<M>& out, std::size_t i, F value) {
@@ -128,43 +85,43 @@ VNDF_INLINE void store_if_wanted(const Outputs<M>& out, std::size_t i, F value) 
 template <Warp warp, bool bounded, class Masked, class Surface = PlainSurface<3>>
 class ReflectionKernel {
  public:
+  static constexpr std::size_t kLanes = kShadingBlock;
   Surface surface;
 
   template <std::size_t N>
-  VNDF_INLINE void operator()(const Inputs<N>& in, const Outputs<9>& out, std::size_t begin, std::size_t end) {
+  VNDF_INLINE void operator()(const Inputs<N>& in, const Outputs<9>& out, std::size_t n) {
     bool with_normals = out.column[5] || out.column[6] || out.column[7] || out.column[8];
-    for (std::size_t to; begin < end; begin = to) {
-      to = end_of_half(begin, end);
-      surface.prepare(in, begin, to);
-      facets_.sample(in, surface, begin, to);
-      if (with_normals)
-        shade<true>(in, out, begin, to);
-      else
-        shade<false>(in, out, begin, to);
-    }
+    surface.prepare(in, n);
+    facets_.sample(in, surface, n);
+    if (with_normals)
+      shade<true>(in, out, n);
+    else
+      shade<false>(in, out, n);
   }
 
  private:
   template <bool with_normals, std::size_t N>
-  VNDF_INLINE void shade(const Inputs<N>& in, const Outputs<9>& out, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; i += kWidth) {
+  VNDF_INLINE void shade(const Inputs<N>& in, const Outputs<9>& out, std::size_t n) {
+    for (std::size_t i = 0; i < n; i += kWidth) {
       Vec3<F> wo = surface.frame.wo(in, i);
-      auto shape = surface.shape.load(in, i);
+      const auto& shape = surface.shape.load(in, i);
       auto facet = facets_.load(i, wo.z);
       auto normal = normal_of(facet, shape);
       directions_.store(i, {reflect(wo, facet, normal), spread(facet, normal, shape)});
       if constexpr (with_normals) normals_.store(i, unit_normal(facet, normal));
     }
-    for (std::size_t i = begin; i < end; i += kWidth) {
+    for (std::size_t i = 0; i < n; i += kWidth)
+      lights_.store(i, Masked::light(directions_.load(i).wi, surface.shape.load(in, i)));
+    for (std::size_t i = 0; i < n; i += kWidth) {
       F wo_z = in.template load<2>(i);
       auto facet = facets_.load(i, wo_z);
       auto direction = directions_.load(i);
-      auto sample = lanes::weigh_reflection<Masked>(wo_z, surface.shape.load(in, i), facet.length, facet.area,
-                                                    direction.wi, direction.spread);
-      Vec3<F> wi = surface.frame.back(sample.wi, i);
+      auto sample = lanes::weigh_reflection<Masked>(wo_z, facet.length, facet.area, direction.wi.z, direction.spread,
+                                                    lights_.load(i));
+      Vec3<F> wi = turn_back(direction.wi, surface.frame.theta_z(i));
       if constexpr (with_normals) {
         auto normal = normals_.load(i);
-        Vec3<F> wm = surface.frame.back(normal.wm, i);
+        Vec3<F> wm = turn_back(normal.wm, surface.frame.theta_z(i));
         store_if_wanted<5>(out, i, wm.x);
         store_if_wanted<6>(out, i, wm.y);
         store_if_wanted<7>(out, i, wm.z);
@@ -184,6 +141,7 @@ class ReflectionKernel {
   };
   Facets<warp, bounded, AsGiven, Surface> facets_;
   StagedForShading<Direction> directions_;
+  StagedForShading<typename Masked::template Light<F>> lights_;
   StagedForShading<lanes::UnitNormal<F>> normals_;
 };
 
@@ -203,25 +161,35 @@ VNDF_INLINE Vec3<F> load_second(const Inputs<N>& in, std::size_t i) {
 }
 
 template <bool bounded, class Masked, class Surface = PlainSurface<6>>
-struct ReflectionEvaluation {
+class ReflectionEvaluation {
+ public:
+  static constexpr std::size_t kLanes = kBlock;
   Surface surface;
 
   template <std::size_t N>
-  VNDF_INLINE void operator()(const Inputs<N>& in, const Outputs<2>& out, std::size_t begin, std::size_t end) {
-    surface.prepare(in, begin, end);
-    for (std::size_t i = begin; i < end; i += kWidth) {
-      auto value = evaluate(load_wo(in, i), load_second(in, i), surface.shape.for_pair(in, i));
+  VNDF_INLINE void operator()(const Inputs<N>& in, const Outputs<2>& out, std::size_t n) {
+    surface.prepare(in, n);
+    for (std::size_t i = 0; i < n; i += kWidth)
+      terms_.store(i, terms_of(load_wo(in, i), load_second(in, i), surface.shape.for_pair(in, i)));
+    for (std::size_t i = 0; i < n; i += kWidth) {
+      auto value = lanes::evaluate_pair(in.template load<2>(i), in.template load<5>(i), terms_.load(i));
       out.store<0>(i, value.f_cos);
       out.store<1>(i, value.pdf);
     }
   }
+
+ private:
+  using Terms = lanes::PairTerms<Masked, F>;
+
   template <class S>
-  static VNDF_INLINE lanes::Evaluation<F> evaluate(const Vec3<F>& wo, const Vec3<F>& wi, const S& shape) {
+  static VNDF_INLINE Terms terms_of(const Vec3<F>& wo, const Vec3<F>& wi, const S& shape) {
     if constexpr (bounded)
-      return lanes::evaluate_reflection_bounded<Masked>(wo, wi, shape);
+      return lanes::pair_terms_bounded<Masked>(wo, wi, shape);
     else
-      return lanes::evaluate_reflection<Masked>(wo, wi, shape);
+      return lanes::pair_terms<Masked>(wo, wi, shape);
   }
+
+  Staged<Terms> terms_;
 };
 
 template <bool bounded, Masking masking>
@@ -234,12 +202,13 @@ void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& 
 
 template <class Surface = PlainSurface<6>>
 struct NormalDensity {
+  static constexpr std::size_t kLanes = kBlock;
   Surface surface;
 
   template <std::size_t N>
-  VNDF_INLINE void operator()(const Inputs<N>& in, const Outputs<1>& pdf, std::size_t begin, std::size_t end) {
-    surface.prepare(in, begin, end);
-    for (std::size_t i = begin; i < end; i += kWidth) {
+  VNDF_INLINE void operator()(const Inputs<N>& in, const Outputs<1>& pdf, std::size_t n) {
+    surface.prepare(in, n);
+    for (std::size_t i = 0; i < n; i += kWidth) {
       pdf.store<0>(i, lanes::visible_normal_pdf(load_wo(in, i), load_second(in, i), surface.shape.for_pair(in, i)));
     }
   }
@@ -254,30 +223,28 @@ void pdf_normals(std::size_t count, const Columns3& wo, const Columns3& wm, cons
 template <Warp warp, class Masked, class Surface = PlainSurface<3>>
 class DielectricKernel {
  public:
+  static constexpr std::size_t kLanes = kShadingBlock;
   Surface surface;
 
   template <std::size_t N>
-  VNDF_INLINE void operator()(const Inputs<N>& in, const Outputs<6>& out, std::size_t begin, std::size_t end) {
-    for (std::size_t to; begin < end; begin = to) {
-      to = end_of_half(begin, end);
-      surface.prepare(in, begin, to);
-      facets_.sample(in, surface, begin, to);
-      for (std::size_t i = begin; i < to; i += kWidth) {
-        in.template prefetch<3, 4, 7, 8>(i);
-        Vec3<F> wo = surface.frame.wo(in, i);
-        auto below = wo.z < F(0.f);
-        wo = lanes::mirrored(below, wo);
-        auto sample = lanes::sample_dielectric<Masked>(wo, surface.shape.load(in, i), facets_.load(i, wo.z),
-                                                       lanes::mirrored_eta(below, in.template load<7>(i)),
-                                                       in.template load<8>(i));
-        Vec3<F> wi = surface.frame.back(lanes::mirrored(below, sample.wi), i);
-        out.store<0>(i, wi.x);
-        out.store<1>(i, wi.y);
-        out.store<2>(i, wi.z);
-        out.store<3>(i, sample.pdf);
-        out.store<4>(i, sample.weight);
-        out.store<5>(i, sample.side);
-      }
+  VNDF_INLINE void operator()(const Inputs<N>& in, const Outputs<6>& out, std::size_t n) {
+    surface.prepare(in, n);
+    facets_.sample(in, surface, n);
+    for (std::size_t i = 0; i < n; i += kWidth) {
+      in.template prefetch<3, 4, 7, 8>(i);
+      Vec3<F> wo = surface.frame.wo(in, i);
+      auto below = wo.z < F(0.f);
+      wo = lanes::mirrored(below, wo);
+      auto sample =
+          lanes::sample_dielectric<Masked>(wo, surface.shape.load(in, i), facets_.load(i, wo.z),
+                                           lanes::mirrored_eta(below, in.template load<7>(i)), in.template load<8>(i));
+      Vec3<F> wi = turn_back(lanes::mirrored(below, sample.wi), surface.frame.theta_z(i));
+      out.store<0>(i, wi.x);
+      out.store<1>(i, wi.y);
+      out.store<2>(i, wi.z);
+      out.store<3>(i, sample.pdf);
+      out.store<4>(i, sample.weight);
+      out.store<5>(i, sample.side);
     }
   }
 
@@ -295,12 +262,13 @@ void sample_dielectric(std::size_t count, const Columns3& wo, const Columns2& al
 
 template <class Masked, class Surface = PlainSurface<6>>
 struct DielectricEvaluation {
+  static constexpr std::size_t kLanes = kBlock;
   Surface surface;
 
   template <std::size_t N>
-  VNDF_INLINE void operator()(const Inputs<N>& in, const Outputs<2>& out, std::size_t begin, std::size_t end) {
-    surface.prepare(in, begin, end);
-    for (std::size_t i = begin; i < end; i += kWidth) {
+  VNDF_INLINE void operator()(const Inputs<N>& in, const Outputs<2>& out, std::size_t n) {
+    surface.prepare(in, n);
+    for (std::size_t i = 0; i < n; i += kWidth) {
       Vec3<F> wo = load_wo(in, i), wi = load_second(in, i);
       auto below = wo.z < F(0.f);
       auto value = lanes::evaluate_dielectric<Masked>(lanes::mirrored(below, wo), lanes::mirrored(below, wi),

@@ -2,14 +2,14 @@
 // surface is a frame, which theta_z turns, and a shape in it.
 //
 // Frames:
-//   prepare(in, begin, end)  before the stages of a block
-//   wo(in, i)                the view in the frame
-//   back(v, i)               directions from the frame to that of the columns
+//   prepare(in, n)   before the stages of a block
+//   wo(in, i)        the view in the frame
+//   theta_z(i)       what turns directions back from it
 // Shapes:
-//   prepare(in, begin, end)
-//   at(in, i)                A for the products with the view, in two parts where it is not plain GGX
-//   load(in, i)              A narrowed
-//   for_pair(in, i)          what evaluates a given pair of directions
+//   prepare(in, n)
+//   at(in, i)        A for the products with the view, in two parts where it is not plain GGX
+//   load(in, i)      A narrowed
+//   for_pair(in, i)  what evaluates a given pair of directions
 //
 // and kUpright, whether (A v).z is v.z. Those that only serve given pairs have no at and load.
 //
@@ -24,23 +24,23 @@ namespace {
 /// That of the columns.
 struct GivenFrame {
   template <std::size_t N>
-  VNDF_INLINE void prepare(const Inputs<N>&, std::size_t, std::size_t) {}
+  VNDF_INLINE void prepare(const Inputs<N>&, std::size_t) {}
   template <std::size_t N>
   static VNDF_INLINE Vec3<F> wo(const Inputs<N>& in, std::size_t i) {
     return load_wo(in, i);
   }
-  static VNDF_INLINE Vec3<F> back(const Vec3<F>& v, std::size_t) { return v; }
+  static VNDF_INLINE lanes::XAxis theta_z(std::size_t) { return {}; }
 };
 
 /// Calls f(i, rotation) for the angles of a column. The next one is reduced beside: one after the other, the two steps
 /// are a chain too long for a core to overlap.
 template <std::size_t kTheta, class T, std::size_t N, class Function>
-VNDF_INLINE void for_each_rotation(const Inputs<N>& in, std::size_t begin, std::size_t end, Function f) {
-  auto reduced = lanes::reduce_angle(in.template load<kTheta>(begin));
-  for (std::size_t i = begin; i < end; i += kWidth) {
+VNDF_INLINE void for_each_rotation(const Inputs<N>& in, std::size_t n, Function f) {
+  auto reduced = lanes::reduce_angle(in.template load<kTheta>(0));
+  for (std::size_t i = 0; i < n; i += kWidth) {
     in.template prefetch<kTheta>(i);
     auto rotation = lanes::rotation_of<T>(reduced);
-    reduced = lanes::reduce_angle(in.template load<kTheta>(i + kWidth < end ? i + kWidth : begin));
+    reduced = lanes::reduce_angle(in.template load<kTheta>(i + kWidth < n ? i + kWidth : 0));
     f(i, rotation);
   }
 }
@@ -49,25 +49,23 @@ template <std::size_t kTheta, std::size_t kLanes, class T>
 class TurnedFrame {
  public:
   template <std::size_t N>
-  VNDF_INLINE void prepare(const Inputs<N>& in, std::size_t begin, std::size_t end) {
-    for_each_rotation<kTheta, T>(in, begin, end, [&](std::size_t i, const lanes::Rotation<F>& rotation) {
+  VNDF_INLINE void prepare(const Inputs<N>& in, std::size_t n) {
+    for_each_rotation<kTheta, T>(in, n, [&](std::size_t i, const lanes::Rotation<F>& rotation) {
+      angles_.store(i, lanes::angle_of<F>(rotation));
       Vec3<F> wo = lanes::turn_as<T>(load_wo(in, i), rotation);
-      turned_.store(i, {wo.x, wo.y, lanes::angle_of<F>(rotation)});
+      turned_.store(i, {wo.x, wo.y});
     });
   }
   template <std::size_t N>
   VNDF_INLINE Vec3<F> wo(const Inputs<N>& in, std::size_t i) const {
-    auto lane = turned_.load(i);
-    return {lane.wo_x, lane.wo_y, in.template load<2>(i)};
+    auto turned = turned_.load(i);
+    return {turned.x, turned.y, in.template load<2>(i)};
   }
-  VNDF_INLINE Vec3<F> back(const Vec3<F>& v, std::size_t i) const { return turn_back(v, turned_.load(i).theta_z); }
+  VNDF_INLINE lanes::Angle<F> theta_z(std::size_t i) const { return angles_.load(i); }
 
  private:
-  struct Turned {
-    F wo_x, wo_y;
-    lanes::Angle<F> theta_z;
-  };
-  Staged<Turned, kLanes> turned_;
+  Staged<Vec2<F>, kLanes> turned_;  // wo, of which theta_z leaves z as it is
+  Staged<lanes::Angle<F>, kLanes> angles_;
 };
 
 /// Plain GGX: the columns of alpha.
@@ -76,7 +74,7 @@ struct AlphaColumns {
   static constexpr bool kUpright = true;
 
   template <std::size_t N>
-  VNDF_INLINE void prepare(const Inputs<N>&, std::size_t, std::size_t) {}
+  VNDF_INLINE void prepare(const Inputs<N>&, std::size_t) {}
   template <std::size_t N>
   static VNDF_INLINE Vec2<F> at(const Inputs<N>& in, std::size_t i) {
     return {in.template load<kAlpha>(i), in.template load<kAlpha + 1>(i)};
@@ -104,22 +102,19 @@ class OneShape {
   }
 
   template <std::size_t N>
-  VNDF_INLINE void prepare(const Inputs<N>&, std::size_t, std::size_t) {}
-  // Member by member, see Staged.
+  VNDF_INLINE void prepare(const Inputs<N>&, std::size_t) {}
+  // By reference: a copy of such aggregates may go through memory in pieces, see Staged.
   template <std::size_t N>
-  VNDF_INLINE lanes::Tilted<F> at(const Inputs<N>&, std::size_t) const {
-    const auto& a = shape_;
-    return {a.xx, a.yx, a.yy, a.zx, a.zy, a.azimuth};
+  VNDF_INLINE const lanes::Tilted<F>& at(const Inputs<N>&, std::size_t) const {
+    return shape_;
   }
   template <std::size_t N>
-  VNDF_INLINE lanes::Tilted<F, F> load(const Inputs<N>&, std::size_t) const {
-    const auto& a = for_pair_.narrowed;
-    return {a.xx, a.yx, a.yy, a.zx, a.zy, a.azimuth};
+  VNDF_INLINE const lanes::Tilted<F, F>& load(const Inputs<N>&, std::size_t) const {
+    return for_pair_.narrowed;
   }
   template <std::size_t N>
-  VNDF_INLINE lanes::TiltedForPairs<F> for_pair(const Inputs<N>&, std::size_t) const {
-    const auto& a = for_pair_.narrowed;
-    return {{a.xx, a.yx, a.yy, a.zx, a.zy, a.azimuth}, for_pair_.xy, for_pair_.xz, for_pair_.yz};
+  VNDF_INLINE const lanes::TiltedForPairs<F>& for_pair(const Inputs<N>&, std::size_t) const {
+    return for_pair_;
   }
 
  private:
@@ -134,8 +129,8 @@ class TiltedColumns {
   static constexpr bool kUpright = false;
 
   template <std::size_t N>
-  VNDF_INLINE void prepare(const Inputs<N>& in, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; i += kWidth) {
+  VNDF_INLINE void prepare(const Inputs<N>& in, std::size_t n) {
+    for (std::size_t i = 0; i < n; i += kWidth) {
       in.template prefetch<kTheta, kTheta + 1, kTheta + 2>(i);
       auto shape = lanes::tilted_shape(AlphaColumns<kAlpha>::at(in, i), in.template load<kTheta>(i),
                                        in.template load<kTheta + 1>(i), in.template load<kTheta + 2>(i));
@@ -173,8 +168,8 @@ class TurnedColumns {
   static constexpr bool kUpright = true;
 
   template <std::size_t N>
-  VNDF_INLINE void prepare(const Inputs<N>& in, std::size_t begin, std::size_t end) {
-    for_each_rotation<kTheta, lanes::Split<F>>(in, begin, end, [&](std::size_t i, const lanes::Rotation<F>& rotation) {
+  VNDF_INLINE void prepare(const Inputs<N>& in, std::size_t n) {
+    for_each_rotation<kTheta, lanes::Split<F>>(in, n, [&](std::size_t i, const lanes::Rotation<F>& rotation) {
       shapes_.store(i, turned_shape(AlphaColumns<kAlpha>::at(in, i), rotation));
     });
   }
@@ -195,9 +190,9 @@ struct Surface {
   Shape shape;
 
   template <std::size_t N>
-  VNDF_INLINE void prepare(const Inputs<N>& in, std::size_t begin, std::size_t end) {
-    frame.prepare(in, begin, end);
-    shape.prepare(in, begin, end);
+  VNDF_INLINE void prepare(const Inputs<N>& in, std::size_t n) {
+    frame.prepare(in, n);
+    shape.prepare(in, n);
   }
 };
 template <std::size_t kAlpha>

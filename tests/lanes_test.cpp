@@ -64,12 +64,10 @@ class EllipsoidLanes {
     }
   }
   void expect_bits() {
-    expect_normals<lanes::Split<F>>(Warp::polar,
-                                    [](auto v, auto shape, auto u) { return lanes::sample_normal_polar(v, shape, u); });
-    expect_normals<lanes::Split<F>>(
-        Warp::concentric, [](auto v, auto shape, auto u) { return lanes::sample_normal_concentric(v, shape, u); });
-    expect_normals<F>(Warp::spherical_cap,
-                      [](auto v, auto shape, auto u) { return lanes::sample_normal_cap(v, shape, u); });
+    // a: view, shape, u, theta_z of the frame
+    expect_normals<lanes::Split<F>>(Warp::polar, [](auto... a) { return lanes::sample_normal_polar(a...); });
+    expect_normals<lanes::Split<F>>(Warp::concentric, [](auto... a) { return lanes::sample_normal_concentric(a...); });
+    expect_normals<F>(Warp::spherical_cap, [](auto... a) { return lanes::sample_normal_cap(a...); });
     for (bool turned : {false, true}) {
       evaluate_reflection(kCount, wo(), {column(10), column(11), column(12)}, ellipsoid(turned),
                           {batch_[0].data(), batch_[1].data()});
@@ -117,8 +115,9 @@ class EllipsoidLanes {
                      {batch_[0].data(), batch_[1].data(), batch_[2].data()});
       each([&](std::size_t i, const V& v, const A& alpha) {
         A u{load(8, i), load(9, i)};
-        return turned ? lanes::sample_in_turned_frame<T>(v, load(7, i), [&](V wo) { return sample(wo, alpha, u); })
-                      : sample(v, shape(alpha, i), u);
+        return turned ? lanes::sample_in_turned_frame<T>(
+                            v, load(7, i), [&](V wo, auto theta_z) { return sample(wo, alpha, u, theta_z); })
+                      : sample(v, shape(alpha, i), u, lanes::XAxis{});
       });
       EXPECT_TRUE(same_bits(batch_, lane_)) << int(warp) << " " << turned;
     }

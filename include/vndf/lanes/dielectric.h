@@ -59,13 +59,13 @@ VNDF_INLINE F refraction_weight(F wi_z, F length_i) {
 template <class Masking, class F, class Shape = Vec2<F>>
 VNDF_INLINE F dielectric_weight(Mask<F> reflects, F wo_z, F length, F area, const Vec3<F>& wi, const Shape& shape) {
   if constexpr (std::is_base_of_v<ByLengths, Masking>) {
-    F length_i = stretched_length(wi, shape);
+    F length_i = Masking::light(wi, shape);
     return op::select(reflects, Masking::weight(wo_z, length, area, wi.z, length_i),
                       refraction_weight(F(0.f) - wi.z, length_i));
   } else {
     Vec3<F> up = {op::select(reflects, wi.x, F(0.f) - wi.x), op::select(reflects, wi.y, F(0.f) - wi.y),
                   op::select(reflects, wi.z, F(0.f) - wi.z)};
-    return reflection_weight<Masking>(wo_z, length, area, up, shape);
+    return Masking::weight(wo_z, length, area, up.z, Masking::light(up, shape));
   }
 }
 

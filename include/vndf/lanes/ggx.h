@@ -29,23 +29,35 @@ VNDF_INLINE F lune_area(const Vec3<F>& h) {
   return op::select(h.z < F(0.f), l2 / sum, sum);
 }
 
-/// The same from the view in the hemisphere configuration: |A v| (1 + z) where 1 + z is a small number.
+/// The same from |A v| and the elevation of A v: 1 + z where that is a small number.
 template <class F>
-VNDF_INLINE F lune_area(const Vec3<F>& h, const HemisphereView<F>& view, F norm) {
-  return op::select(h.z < F(0.f), norm * view.one_plus_z, norm + h.z);
+VNDF_INLINE F lune_area(F length, F h_z, F one_plus_z) {
+  return op::select(h_z < F(0.f), length * one_plus_z, length + h_z);
 }
 
-/// D(m), Heitz 2018, eq. 1, Walter et al. 2015, eq. 1, for m of any length from 2^-40 to 8.
+/// D(m), Heitz 2018, eq. 1, Walter et al. 2015, eq. 1, for m of any length from 2^-40 to 8, up to its division.
 ///
 /// With |A| = a b, D = (a / b) (a |m|^2 / k^2)^2 / pi with k = a A^-T m: that stays within the range of float, which
 /// alpha^2 does not. For plain GGX a is alpha_x, b is alpha_y, and k^2 is a sum of positive terms.
+template <class F>
+struct NdfTerms {
+  F a_m2, k2, a_over_b;
+};
 template <class F, class Shape = Vec2<F>>
-VNDF_INLINE F ndf(const Vec3<F>& m, const Shape& shape) {
+VNDF_INLINE NdfTerms<F> ndf_terms(const Vec3<F>& m, const Shape& shape) {
   constexpr float kUnit = 0x1p40f;
   Vec3<F> v = {m.x * F(kUnit), m.y * F(kUnit), m.z * F(kUnit)};
   auto k = unstretch(v, shape);
-  F q = (dot(v, v) * k.a) / dot(k.v, k.v);
-  return (k.a_over_b * F(kInvPi)) * (q * q);
+  return {dot(v, v) * k.a, dot(k.v, k.v), k.a_over_b};
+}
+template <class F>
+VNDF_INLINE F ndf(const NdfTerms<F>& terms) {
+  F q = terms.a_m2 / terms.k2;
+  return (terms.a_over_b * F(kInvPi)) * (q * q);
+}
+template <class F, class Shape = Vec2<F>>
+VNDF_INLINE F ndf(const Vec3<F>& m, const Shape& shape) {
+  return ndf(ndf_terms(m, shape));
 }
 
 /// Lambda(v), eq. 2, for v.z > 0: (a - v.z) / (2 v.z) with the difference taken apart.

@@ -8,25 +8,42 @@
 namespace vndf::lanes {
 inline namespace VNDF_LANES_BUILD {
 
-/// The view in the hemisphere configuration, Vh = A V / |A V|, with its azimuth and its elevation apart.
+/// A V, scaled by an exact power of two that keeps r2 near 2^40.
 template <class F>
-struct HemisphereView {
-  F x, y;         // direction of (Vh.x, Vh.y), scaled by an exact power of two that keeps r2 near 2^40
-  F r2;           // x^2 + y^2
-  F inv_length;   // 1 / |A V| in the same scale: sqrt(1 - Vh.z^2) = sqrt(r2) inv_length
+struct ScaledView {
+  F x, y, z;
+  F r2;  // x^2 + y^2
+  F length;
+};
+
+/// The elevation of the view in the hemisphere configuration, Vh = A V / |A V|.
+template <class F>
+struct Elevation {
+  F inv_length;   // 1 / |A V| in the scale of the view: sqrt(1 - Vh.z^2) = sqrt(r2) inv_length
   F z;            // Vh.z
   F one_plus_z;   // each to full relative accuracy, whichever of them is
   F one_minus_z;  // the small one
 };
 
-/// Section 3.2, eq. 5, from h = A V.
+/// Vh with its azimuth, the direction of (x, y), and its elevation apart.
+template <class F>
+struct HemisphereView {
+  F x, y, r2;
+  F inv_length, z, one_plus_z, one_minus_z;
+};
+template <class F>
+VNDF_INLINE HemisphereView<F> hemisphere_view(const ScaledView<F>& v, const Elevation<F>& e) {
+  return {v.x, v.y, v.r2, e.inv_length, e.z, e.one_plus_z, e.one_minus_z};
+}
+
+/// Section 3.2, eq. 5, from h = A V, as far as the length.
 ///
 /// Scaling by a power of two is exact, takes views of any length and lets near-normal views, whose azimuth components
 /// would square to nothing, keep them. A tangent under 2^-32 is taken as 2^-32 and changes no normal by more than
-/// 2^-32; azimuth components under 2^-100 are taken as the direction where azimuths begin. 1 - |z| = r2 / (len (len +
-/// |z| len)), no difference taken. `norm` is |A V|, which the densities need.
+/// 2^-32; azimuth components under 2^-100 are taken as the direction where azimuths begin. `norm` is |A V|, which the
+/// densities need.
 template <class F, class Azimuth = XAxis>
-VNDF_INLINE HemisphereView<F> map_to_hemisphere(const Vec3<F>& h, Azimuth azimuth, F& norm) {
+VNDF_INLINE ScaledView<F> scale_view(const Vec3<F>& h, Azimuth azimuth, F& norm) {
   constexpr float kSmallest = 0x1p-100f, kLongest = 0x1p52f;
   Int<F> larger = op::max(op::bits(op::abs(h.x)), op::bits(op::abs(h.y)));
   Int<F> exponent = op::max(larger, Int<F>(0x0d800000)) & Int<F>(0x7f800000);       // at least kSmallest
@@ -43,30 +60,31 @@ VNDF_INLINE HemisphereView<F> map_to_hemisphere(const Vec3<F>& h, Azimuth azimut
   F abs_z = op::abs(h.z * scale);
   auto steep = abs_z > F(kLongest);
   abs_z = op::select(steep, F(kLongest), abs_z);
-
   F r2 = x * x + y * y;
   F length = op::sqrt(r2 + abs_z * abs_z);
   norm = op::select(steep, op::abs(h.z), length * op::from_bits(exponent - Int<F>(20 << 23)));  // length / scale
-  F sum = length + abs_z;
-  F inv = F(1.f) / (length * sum);
+  return {x, y, op::with_sign_of(abs_z, h.z), r2, length};
+}
+
+/// The rest of it: 1 - |z| = r2 / (length (length + |z| length)), no difference taken.
+template <class F>
+VNDF_INLINE Elevation<F> elevation_of(const ScaledView<F>& v) {
+  F abs_z = op::abs(v.z);
+  F sum = v.length + abs_z;
+  F inv = F(1.f) / (v.length * sum);
   F inv_length = sum * inv;
   F cos = abs_z * inv_length;
   F large = F(1.f) + cos;
-  F small = r2 * inv;
-  auto below = h.z < F(0.f);
-  return {x,
-          y,
-          r2,
-          inv_length,
-          op::with_sign_of(cos, h.z),
-          op::select(below, small, large),
-          op::select(below, large, small)};
+  F small = v.r2 * inv;
+  auto below = v.z < F(0.f);
+  return {inv_length, op::with_sign_of(cos, v.z), op::select(below, small, large), op::select(below, large, small)};
 }
 
 template <class F, class Azimuth = XAxis>
 VNDF_INLINE HemisphereView<F> map_to_hemisphere(const Vec3<F>& h, Azimuth azimuth = {}) {
   F norm;
-  return map_to_hemisphere(h, azimuth, norm);
+  auto view = scale_view(h, azimuth, norm);
+  return hemisphere_view(view, elevation_of(view));
 }
 
 /// What the squish leaves of the chord, with z the view's: lift = (1 + z) top, and the height of the normal above the
@@ -113,13 +131,14 @@ VNDF_INLINE Vec3<F> reproject(const HemisphereView<F>& view, const Chord<F>& t, 
   return reproject(view, t, p, cos);
 }
 
-/// Section 3.4, eq. 6: Ne = A^T Nh / |A^T Nh|, for Nh of any length up to 2^60.
+/// Section 3.4, eq. 6: Ne = A^T Nh / |A^T Nh|, for Nh of any length up to 2^60. And back from a frame that is turned.
 ///
 /// The addend is far below the rounding of any Nh that has a direction; one that has none becomes +z.
-template <class F, class Shape = Vec2<F>>
-VNDF_INLINE Vec3<F> map_from_hemisphere(Vec3<F> nh, const Shape& shape) {
+template <class F, class Shape = Vec2<F>, class Theta = XAxis>
+VNDF_INLINE Vec3<F> map_from_hemisphere(const Vec3<F>& nh, const Shape& shape, const Theta& theta_z = {}) {
   Vec3<F> p = stretch_back<F>({nh.x, nh.y, nh.z + F(0x1p-62f)}, shape);
   F inv = F(1.f) / op::sqrt(dot(p, p));
+  p = turn_back(p, theta_z);  // beside the root, not behind it
   return {p.x * inv, p.y * inv, p.z * inv};
 }
 

@@ -9,8 +9,6 @@
 #include <vndf/lanes/ggx.h>
 #include <vndf/lanes/spherical_cap.h>
 
-#include <type_traits>
-
 namespace vndf::lanes {
 inline namespace VNDF_LANES_BUILD {
 
@@ -82,29 +80,26 @@ VNDF_INLINE BoundedCapToReflect<F> bounded_cap_to_reflect(const Vec3<F>& wo, con
   return {{{view.x, view.y, bounded_cap(view, bound)}, view.length}, bound.one_minus_k * view.abs_z};
 }
 
-/// A normal from the cap. It is the sum of two vectors as long as A wo, one of which is A wo: 2 A wo.nh = |nh|^2.
-template <class F>
-struct CapFacet {
-  Vec3<F> nh;
-  F length;
-  F area;
-};
-
 /// `r2`, e and phi are the disk point, see on_cap.
 template <class F>
-VNDF_INLINE CapFacet<F> sample_on_cap(const CapToReflect<F>& view, F r2, F e, const Angle<F>& phi) {
-  return {with_direction(on_cap(view.at, r2, e, phi)), view.length, view.at.cap.height};
+VNDF_INLINE Vec3<F> sample_on_cap(const CapToReflect<F>& view, F r2, F e, const Angle<F>& phi) {
+  return with_direction(on_cap(view.at, r2, e, phi));
 }
 template <class F>
-VNDF_INLINE CapFacet<F> sample_on_cap(const BoundedCapToReflect<F>& view, F r2, F e, const Angle<F>& phi) {
+VNDF_INLINE Vec3<F> sample_on_cap(const BoundedCapToReflect<F>& view, F r2, F e, const Angle<F>& phi) {
   Vec3<F> nh = on_cap(view.bounded.at, r2, e, phi);
   nh.z = nh.z + view.rest;
-  return {with_direction(nh), view.bounded.length, view.bounded.at.cap.height};
+  return with_direction(nh);
+}
+/// A normal from the cap is the sum of two vectors as long as A wo, one of which is A wo: 2 A wo.nh = |nh|^2.
+template <class F>
+VNDF_INLINE Facet<F> facet_of(const Vec3<F>& nh, const CapToReflect<F>& view) {
+  F norm2 = dot(nh, nh);
+  return {nh, norm2, norm2, view.length, view.at.cap.height};
 }
 template <class F>
-VNDF_INLINE Facet<F> facet_of(const CapFacet<F>& facet) {
-  F norm2 = dot(facet.nh, facet.nh);
-  return {facet.nh, norm2, norm2, facet.length, facet.area};
+VNDF_INLINE Facet<F> facet_of(const Vec3<F>& nh, const BoundedCapToReflect<F>& view) {
+  return facet_of(nh, view.bounded);
 }
 
 /// The normal in the ellipsoid configuration, not normalised: p = c A^T Nh = c |A^T Nh| wm.
@@ -147,7 +142,7 @@ template <class F, class Shape = Vec2<F>>
 VNDF_INLINE F spread(const Facet<F>& facet, const Normal<F>& normal, const Shape& shape) {
   Vec2<F> a = diagonal(shape);
   F g = facet.norm2 * normal.inv_p2;
-  return (op::abs(a.x * g) * op::abs(a.y * g)) * facet.area;
+  return op::abs((a.x * g) * (a.y * g)) * facet.area;
 }
 
 /// A weight without the excess over 1 that only rounding can give it.
@@ -157,8 +152,15 @@ VNDF_INLINE F at_most_one(F weight) {
 }
 
 /// The weight G2(wo, wi) / G1(wo) and, if the sampling is bounded, times the share of the visible area that it leaves.
-/// length_o = |A wo|, length_i = |A wi|.
-struct ByLengths {};
+/// `Light` is what it takes from the light's direction, here the length |A wi|. length_o = |A wo|.
+struct ByLengths {
+  template <class F>
+  using Light = F;
+  template <class F, class Shape = Vec2<F>>
+  static VNDF_INLINE F light(const Vec3<F>& wi, const Shape& shape) {
+    return stretched_length(wi, shape);
+  }
+};
 struct HeightCorrelated : ByLengths {
   template <class F>
   static VNDF_INLINE F weight(F wo_z, F length_o, F area, F wi_z, F length_i) {
@@ -172,41 +174,40 @@ struct Separable : ByLengths {
   }
 };
 
-template <class Masking, class F, class Shape = Vec2<F>>
-VNDF_INLINE F reflection_weight(F wo_z, F length, F area, const Vec3<F>& wi, const Shape& shape) {
-  if constexpr (std::is_base_of_v<ByLengths, Masking>)
-    return Masking::weight(wo_z, length, area, wi.z, stretched_length(wi, shape));
-  else
-    return Masking::weight(wo_z, area, wi.z, stretch(wi, shape));
-}
-
 /// The value where light can go from wi to wo above the surface: wo.z >= 0 and wi.z > 0. Else 0.
 template <class F>
 VNDF_INLINE F where_above(F wo_z, F wi_z, F value) {
-  return op::select(wo_z < F(0.f), F(0.f), op::select(wi_z > F(0.f), value, F(0.f)));
+  return op::select((wo_z >= F(0.f)) & (wi_z > F(0.f)), value, F(0.f));
 }
 
-/// A sampled direction, its density, and what the light from there counts: f cos / pdf, without Fresnel's factor.
+/// The density of a sampled direction, and what the light from there counts: f cos / pdf, without Fresnel's factor.
+template <class F>
+struct Weighed {
+  F pdf, weight;
+};
+
+/// From a reflected direction's height, the lengths of its facet and its spread.
+template <class Masking, class F>
+VNDF_INLINE Weighed<F> weigh_reflection(F wo_z, F length, F area, F wi_z, F spread,
+                                        const typename Masking::template Light<F>& light) {
+  F weight = Masking::weight(wo_z, length, area, wi_z, light);
+  return {where_above(wo_z, wi_z, F(kInv2Pi) / spread), where_above(wo_z, wi_z, weight)};
+}
+
 template <class F>
 struct ReflectionSample {
   Vec3<F> wi;
   F pdf, weight;
 };
 
-/// From a reflected direction, the lengths of its facet and its spread.
-template <class Masking, class F, class Shape = Vec2<F>>
-VNDF_INLINE ReflectionSample<F> weigh_reflection(F wo_z, const Shape& shape, F length, F area, const Vec3<F>& wi,
-                                                 F spread) {
-  F weight = reflection_weight<Masking>(wo_z, length, area, wi, shape);
-  return {wi, where_above(wo_z, wi.z, F(kInv2Pi) / spread), where_above(wo_z, wi.z, weight)};
-}
-
 /// From a facet: reflect, density, weight.
 template <class Masking, class F, class Shape = Vec2<F>>
 VNDF_INLINE ReflectionSample<F> sample_reflection(const Vec3<F>& wo, const Shape& shape, const Facet<F>& facet) {
   auto normal = normal_of(facet, shape);
-  return weigh_reflection<Masking>(wo.z, shape, facet.length, facet.area, reflect(wo, facet, normal),
-                                   spread(facet, normal, shape));
+  Vec3<F> wi = reflect(wo, facet, normal);
+  auto weighed = weigh_reflection<Masking>(wo.z, facet.length, facet.area, wi.z, spread(facet, normal, shape),
+                                           Masking::light(wi, shape));
+  return {wi, weighed.pdf, weighed.weight};
 }
 
 /// f cos without Fresnel's factor, and the density that sampling has for the pair.
@@ -215,32 +216,51 @@ struct Evaluation {
   F f_cos, pdf;
 };
 
-/// D(h) / (2 area), and f cos = pdf weight. h = wo + wi is taken as it is: one rounding for each component, none for
-/// its length.
+/// Of a pair of directions and a shape, what comes before the divisions.
+template <class Masking, class F>
+struct PairTerms {
+  NdfTerms<F> ndf;
+  F length, area;
+  typename Masking::template Light<F> light;
+};
+
+/// h = wo + wi is taken as it is: one rounding for each component, none for its length.
 template <class Masking, class F, class Shape = Vec2<F>>
-VNDF_INLINE Evaluation<F> evaluate_reflection(const Vec3<F>& wo, const Vec3<F>& wi, const Shape& shape, F length,
-                                              F area) {
-  F pdf = ndf<F>({wo.x + wi.x, wo.y + wi.y, wo.z + wi.z}, shape) / (area + area);
-  F weight = reflection_weight<Masking>(wo.z, length, area, wi, narrowed(shape));
-  return {where_above(wo.z, wi.z, pdf * weight), where_above(wo.z, wi.z, pdf)};
+VNDF_INLINE PairTerms<Masking, F> pair_terms(const Vec3<F>& wo, const Vec3<F>& wi, const Shape& shape) {
+  const auto& a = narrowed(shape);
+  F length(0.f), area;
+  if constexpr (kUpright<Shape>) {
+    length = stretched_length(wo, a);
+    area = length + wo.z;
+  } else {
+    // Lunes are masked by their areas alone.
+    area = lune_area(stretch(wo, a));
+  }
+  return {ndf_terms<F>({wo.x + wi.x, wo.y + wi.y, wo.z + wi.z}, shape), length, area, Masking::light(wi, a)};
+}
+/// The pair of bounded sampling.
+template <class Masking, class F>
+VNDF_INLINE PairTerms<Masking, F> pair_terms_bounded(const Vec3<F>& wo, const Vec3<F>& wi, const Vec2<F>& alpha) {
+  auto terms = pair_terms<Masking>(wo, wi, alpha);
+  terms.area = terms.length + reflection_bound(wo, alpha).k * wo.z;
+  return terms;
+}
+
+/// D(h) / (2 area), and f cos = pdf weight.
+template <class Masking, class F>
+VNDF_INLINE Evaluation<F> evaluate_pair(F wo_z, F wi_z, const PairTerms<Masking, F>& terms) {
+  F pdf = ndf(terms.ndf) / (terms.area + terms.area);
+  F weight = Masking::weight(wo_z, terms.length, terms.area, wi_z, terms.light);
+  return {where_above(wo_z, wi_z, pdf * weight), where_above(wo_z, wi_z, pdf)};
 }
 
 template <class Masking, class F, class Shape = Vec2<F>>
 VNDF_INLINE Evaluation<F> evaluate_reflection(const Vec3<F>& wo, const Vec3<F>& wi, const Shape& shape) {
-  if constexpr (kUpright<Shape>) {
-    F length = stretched_length(wo, narrowed(shape));
-    return evaluate_reflection<Masking>(wo, wi, shape, length, length + wo.z);
-  } else {
-    // Lunes are masked by their areas alone.
-    return evaluate_reflection<Masking>(wo, wi, shape, F(0.f), lune_area(stretch(wo, narrowed(shape))));
-  }
+  return evaluate_pair(wo.z, wi.z, pair_terms<Masking>(wo, wi, shape));
 }
-
-/// The pair of bounded sampling.
 template <class Masking, class F>
 VNDF_INLINE Evaluation<F> evaluate_reflection_bounded(const Vec3<F>& wo, const Vec3<F>& wi, const Vec2<F>& alpha) {
-  F length = stretched_length(wo, alpha);
-  return evaluate_reflection<Masking>(wo, wi, alpha, length, length + reflection_bound(wo, alpha).k * wo.z);
+  return evaluate_pair(wo.z, wi.z, pair_terms_bounded<Masking>(wo, wi, alpha));
 }
 
 }  // namespace VNDF_LANES_BUILD

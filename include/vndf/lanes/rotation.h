@@ -28,10 +28,12 @@ struct QuarterTurns {
   Mask<F> odd;
   Int<F> sign_x, sign_y;
 
-  VNDF_INLINE explicit QuarterTurns(Int<F> n)
-      : odd(op::from_bits(op::shift_left<31>(n) | Int<F>(0x3f800000)) < F(0.f)),
-        sign_x(op::shift_left<30>((n ^ op::shift_left<1>(n)) & Int<F>(2))),
-        sign_y(op::shift_left<30>(n & Int<F>(2))) {}
+  VNDF_INLINE explicit QuarterTurns(Int<F> n) {
+    Int<F> sign(INT32_MIN), first = op::shift_left<31>(n), second = op::shift_left<30>(n);
+    odd = op::from_bits(first | Int<F>(0x3f800000)) < F(0.f);
+    sign_x = (first ^ second) & sign;
+    sign_y = second & sign;
+  }
 
   VNDF_INLINE F x(F x, F y) const { return op::from_bits(op::bits(op::select(odd, y, x)) ^ sign_x); }
   VNDF_INLINE F y(F x, F y) const { return op::from_bits(op::bits(op::select(odd, x, y)) ^ sign_y); }
@@ -149,6 +151,17 @@ VNDF_INLINE Vec3<F> turn_as(const Vec3<F>& v, const Rotation<F>& z) {
 template <class F>
 VNDF_INLINE Vec3<F> turn_back(const Vec3<F>& v, const Angle<F>& z) {
   return {z.cos * v.x + z.sin * v.y, z.cos * v.y - z.sin * v.x, v.z};
+}
+
+/// The x axis: where azimuths begin, and how a frame is turned, unless something says otherwise.
+struct XAxis {};
+template <class F>
+VNDF_INLINE Vec3<F> turn_back(const Vec3<F>& v, XAxis) {
+  return v;
+}
+template <class F>
+VNDF_INLINE Angle<F> plus(const Angle<F>& phi, XAxis) {
+  return phi;
 }
 
 }  // namespace VNDF_LANES_BUILD

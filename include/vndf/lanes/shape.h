@@ -48,12 +48,42 @@ VNDF_INLINE Turned<F> turned_shape(const Vec2<F>& alpha, const Rotation<F>& thet
   return {theta_z.small, {op::select(odd, alpha.y, alpha.x), op::select(odd, alpha.x, alpha.y)}};
 }
 
+/// The diagonal of A, the product of which is |A|.
+template <class F>
+VNDF_INLINE Vec2<F> diagonal(const Vec2<F>& alpha) {
+  return alpha;
+}
+template <class F>
+VNDF_INLINE Vec2<F> diagonal(const Tilted<F, F>& a) {
+  return {a.xx, a.yy};
+}
+
+/// The roughness that densities are evaluated with: at least 2^-60, which keeps a mirror's finite.
+template <class F>
+VNDF_INLINE F evaluated_alpha(F alpha) {
+  constexpr float kMirror = 0x1p-60f;
+  F abs = op::abs(alpha);
+  return op::select(abs < F(kMirror), F(kMirror), abs);
+}
+
+/// The diagonal that densities are evaluated with: |A| = a b.
+template <class F>
+struct EvaluatedDiagonal {
+  F a, a_over_b;
+};
+template <class F>
+VNDF_INLINE EvaluatedDiagonal<F> evaluated_diagonal(const Vec2<F>& diagonal) {
+  F a = evaluated_alpha(diagonal.x);
+  return {a, a / evaluated_alpha(diagonal.y)};
+}
+
 /// The shape for given pairs of directions: narrowed, and A^-T up to the diagonal of A, which is
 /// ((1, -xy, -xz), (0, 1, -yz), (0, 0, 1)).
 template <class F>
 struct TiltedForPairs {
   Tilted<F, F> narrowed;
   Split<F> xy, xz, yz;
+  EvaluatedDiagonal<F> diagonal;
 };
 
 // Functions of a shape take Vec2 where nothing says which, so that {alpha_x, alpha_y} is a shape.
@@ -81,15 +111,15 @@ VNDF_INLINE const Tilted<F, F>& narrowed(const TiltedForPairs<F>& a) {
 template <class F>
 VNDF_INLINE TiltedForPairs<F> for_pairs(const Tilted<F>& a) {
   auto xy = quotient(a.yx, a.yy);
-  return {narrowed(a), xy, difference(a.zx, xy, a.zy), a.zy};
+  auto floats = narrowed(a);
+  return {floats, xy, difference(a.zx, xy, a.zy), a.zy, evaluated_diagonal(diagonal(floats))};
 }
 template <class F>
 VNDF_INLINE Turned<F, Angle<F>> narrowed(const Turned<F>& a) {
   return {narrowed(a.theta_z), a.alpha};
 }
 
-/// The x axis: where azimuths begin unless a shape says otherwise.
-struct XAxis {};
+/// Where azimuths begin.
 template <class F>
 VNDF_INLINE XAxis azimuth_of(const Vec2<F>&) {
   return {};
@@ -97,10 +127,6 @@ VNDF_INLINE XAxis azimuth_of(const Vec2<F>&) {
 template <class F, class T>
 VNDF_INLINE Angle<F> azimuth_of(const Tilted<F, T>& a) {
   return a.azimuth;
-}
-template <class F>
-VNDF_INLINE Angle<F> plus(const Angle<F>& phi, XAxis) {
-  return phi;
 }
 
 /// A v, Heitz 2018, eq. 5.
@@ -127,16 +153,6 @@ VNDF_INLINE Vec3<F> stretch_back(const Vec3<F>& v, const Tilted<F, F>& a) {
   return {(a.xx * v.x + a.yx * v.y) + a.zx * v.z, a.yy * v.y + a.zy * v.z, v.z};
 }
 
-/// The diagonal of A, the product of which is |A|.
-template <class F>
-VNDF_INLINE Vec2<F> diagonal(const Vec2<F>& alpha) {
-  return alpha;
-}
-template <class F>
-VNDF_INLINE Vec2<F> diagonal(const Tilted<F, F>& a) {
-  return {a.xx, a.yy};
-}
-
 /// a A^-T v for |A| = a b.
 template <class F>
 struct Unstretched {
@@ -144,19 +160,13 @@ struct Unstretched {
   F a, a_over_b;
 };
 
-/// The roughness that densities are evaluated with: at least 2^-60, which keeps a mirror's finite.
 template <class F>
-VNDF_INLINE F evaluated_alpha(F alpha) {
-  constexpr float kMirror = 0x1p-60f;
-  F abs = op::abs(alpha);
-  return op::select(abs < F(kMirror), F(kMirror), abs);
+VNDF_INLINE Unstretched<F> unstretch(const Vec3<F>& v, const EvaluatedDiagonal<F>& d) {
+  return {{v.x, v.y * d.a_over_b, v.z * d.a}, d.a, d.a_over_b};
 }
-
 template <class F>
 VNDF_INLINE Unstretched<F> unstretch(const Vec3<F>& v, const Vec2<F>& alpha) {
-  F alpha_x = evaluated_alpha(alpha.x);
-  F ratio = alpha_x / evaluated_alpha(alpha.y);
-  return {{v.x, v.y * ratio, v.z * alpha_x}, alpha_x, ratio};
+  return unstretch(v, evaluated_diagonal(alpha));
 }
 /// The solution of a triangle, up to its diagonal, which is that of plain GGX. What may cancel are again products with
 /// exact large parts.
@@ -166,7 +176,7 @@ VNDF_INLINE Unstretched<F> unstretch(const Vec3<F>& v, const TiltedForPairs<F>& 
   F vx = ((v.x - a.xy.high * y.high) - a.xz.high * z.high) -
          ((a.xy.high * y.low + a.xy.low * v.y) + (a.xz.high * z.low + a.xz.low * v.z));
   F vy = (v.y - a.yz.high * z.high) - (a.yz.high * z.low + a.yz.low * v.z);
-  return unstretch(Vec3<F>{vx, vy, v.z}, diagonal(a.narrowed));
+  return unstretch(Vec3<F>{vx, vy, v.z}, a.diagonal);
 }
 template <class F>
 VNDF_INLINE Unstretched<F> unstretch(const Vec3<F>& v, const Turned<F>& a) {
