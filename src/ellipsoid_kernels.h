@@ -8,9 +8,9 @@ namespace {
 struct OneShapes {
   using Masked = lanes::Lunes;
   template <std::size_t kAlpha, std::size_t kTheta, std::size_t kLanes, class T>
-  using Surfaces = Surface<GivenFrame, OneShape>;
+  using Surfaces = Surface<GivenFrame, OneShape<T>>;
   template <std::size_t kAlpha, std::size_t kTheta>
-  using ForPairs = Surface<GivenFrame, OneShape>;
+  using ForPairs = Surface<GivenFrame, OneShapeForPairs>;
 
   template <class Kernel, std::size_t N, std::size_t M>
   static VNDF_INLINE void run(std::size_t count, const Column* const (&columns)[N], const Shape& shape,

@@ -87,8 +87,7 @@ struct NormalsOnCap {
     for (std::size_t i = 0; i < n; i += kWidth) {
       in.template prefetch<5, 6>(i);
       Vec2<F> u = load_u(in, i);
-      normals.store(
-          i, on_visible_cap(caps.load(i), plus(lanes::sincos2pi(u.x), azimuth_of(surface.shape.load(in, i))), u.y));
+      normals.store(i, on_visible_cap(caps.load(i), lanes::sincos2pi(u.x), u.y));
     }
     for (std::size_t i = 0; i < n; i += kWidth) {
       in.template prefetch<3, 4>(i);

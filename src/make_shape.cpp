@@ -2,6 +2,8 @@
 // are the same on every machine.
 #include <cmath>
 
+#include <vndf/lanes/tilted_shape.h>
+
 #include "shape_access.h"
 
 namespace vndf {

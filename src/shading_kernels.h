@@ -54,8 +54,7 @@ class FacetsOnCap {
       in.template prefetch<5, 6>(i);
       Vec2<F> u = load_u(in, i);
       if constexpr (warp == Warp::spherical_cap) {
-        auto phi = plus(lanes::sincos2pi(u.x), azimuth_of(surface.shape.load(in, i)));
-        normals_.store(i, sample_on_cap(caps_.load(i), u.y, F(1.f) - u.y, phi));
+        normals_.store(i, sample_on_cap(caps_.load(i), u.y, F(1.f) - u.y, lanes::sincos2pi(u.x)));
       } else {
         auto t = map_disk<kDiskMap<warp>>(u);
         normals_.store(i, sample_on_cap(caps_.load(i), t.r2, t.e, t.phi));
@@ -65,7 +64,9 @@ class FacetsOnCap {
   VNDF_INLINE Facet<F> load(std::size_t i, F) const { return facet_of(normals_.load(i), caps_.load(i)); }
 
  private:
-  StagedForShading<std::conditional_t<bounded, lanes::BoundedCapToReflect<F>, lanes::CapToReflect<F>>> caps_;
+  using Cap = std::conditional_t<bounded, lanes::BoundedCapToReflect<F>,
+                                 std::conditional_t<Surface::kUpright, lanes::CapToReflect<F>, lanes::CapAtView<F>>>;
+  StagedForShading<Cap> caps_;
   StagedForShading<Vec3<F>> normals_;
 };
 

@@ -90,15 +90,31 @@ struct AlphaColumns {
 };
 
 /// One shape for all lanes.
+VNDF_INLINE lanes::Tilted<F> for_all_lanes(const Shape& shape) {
+  auto a = ShapeAccess::get(shape);
+  auto all = [](const lanes::Split<float>& element) { return lanes::Split<F>{F(element.high), F(element.low)}; };
+  return {F(a.xx), all(a.yx), all(a.yy), all(a.zx), all(a.zy), {F(a.azimuth.cos), F(a.azimuth.sin)}};
+}
+
+/// What a shape is for the way back, and for the cap altogether.
+template <class T>
+using Narrowed = std::conditional_t<std::is_same_v<T, F>, lanes::TiltedForCap<F>, lanes::Tilted<F, F>>;
+template <class T>
+VNDF_INLINE Narrowed<T> narrowed_for(const lanes::Tilted<F>& shape) {
+  if constexpr (std::is_same_v<T, F>)
+    return for_cap(shape);
+  else
+    return narrowed(shape);
+}
+
+template <class T>
 class OneShape {
  public:
   static constexpr bool kUpright = false;
 
   VNDF_INLINE void set(const Shape& shape) {
-    auto a = ShapeAccess::get(shape);
-    auto all = [](const lanes::Split<float>& element) { return lanes::Split<F>{F(element.high), F(element.low)}; };
-    shape_ = {F(a.xx), all(a.yx), all(a.yy), all(a.zx), all(a.zy), {F(a.azimuth.cos), F(a.azimuth.sin)}};
-    for_pair_ = lanes::for_pairs(shape_);
+    shape_ = for_all_lanes(shape);
+    narrowed_ = narrowed_for<T>(shape_);
   }
 
   template <std::size_t N>
@@ -109,17 +125,31 @@ class OneShape {
     return shape_;
   }
   template <std::size_t N>
-  VNDF_INLINE const lanes::Tilted<F, F>& load(const Inputs<N>&, std::size_t) const {
-    return for_pair_.narrowed;
-  }
-  template <std::size_t N>
-  VNDF_INLINE const lanes::TiltedForPairs<F>& for_pair(const Inputs<N>&, std::size_t) const {
-    return for_pair_;
+  VNDF_INLINE const Narrowed<T>& load(const Inputs<N>&, std::size_t) const {
+    return narrowed_;
   }
 
  private:
   lanes::Tilted<F> shape_;
-  lanes::TiltedForPairs<F> for_pair_;
+  Narrowed<T> narrowed_;
+};
+
+/// The same for given pairs of directions.
+class OneShapeForPairs {
+ public:
+  static constexpr bool kUpright = false;
+
+  VNDF_INLINE void set(const Shape& shape) { shape_ = for_pairs(for_all_lanes(shape)); }
+
+  template <std::size_t N>
+  VNDF_INLINE void prepare(const Inputs<N>&, std::size_t) {}
+  template <std::size_t N>
+  VNDF_INLINE const lanes::TiltedForPairs<F>& for_pair(const Inputs<N>&, std::size_t) const {
+    return shape_;
+  }
+
+ private:
+  lanes::TiltedForPairs<F> shape_;
 };
 
 /// The columns of alpha and of all angles.
@@ -135,30 +165,30 @@ class TiltedColumns {
       auto shape = lanes::tilted_shape(AlphaColumns<kAlpha>::at(in, i), in.template load<kTheta>(i),
                                        in.template load<kTheta + 1>(i), in.template load<kTheta + 2>(i));
       if constexpr (kForCap)
-        shapes_.store(i, narrowed(shape));
+        shapes_.store(i, for_cap(shape));
       else
         shapes_.store(i, shape);
     }
   }
   template <std::size_t N>
-  VNDF_INLINE lanes::Tilted<F, T> at(const Inputs<N>&, std::size_t i) const {
+  VNDF_INLINE lanes::Tilted<F> at(const Inputs<N>&, std::size_t i) const {
     return shapes_.load(i);
   }
   template <std::size_t N>
-  VNDF_INLINE lanes::Tilted<F, F> load(const Inputs<N>& in, std::size_t i) const {
+  VNDF_INLINE Narrowed<T> load(const Inputs<N>&, std::size_t i) const {
     if constexpr (kForCap)
-      return at(in, i);
+      return shapes_.load(i);
     else
-      return narrowed(at(in, i));
+      return narrowed(shapes_.load(i));
   }
   template <std::size_t N>
-  VNDF_INLINE lanes::TiltedForPairs<F> for_pair(const Inputs<N>& in, std::size_t i) const {
-    return for_pairs(at(in, i));
+  VNDF_INLINE lanes::TiltedForPairs<F> for_pair(const Inputs<N>&, std::size_t i) const {
+    return for_pairs(shapes_.load(i));
   }
 
  private:
   static constexpr bool kForCap = std::is_same_v<T, F>;
-  Staged<lanes::Tilted<F, T>, kLanes> shapes_;
+  Staged<std::conditional_t<kForCap, lanes::TiltedForCap<F>, lanes::Tilted<F>>, kLanes> shapes_;
 };
 
 /// Plain GGX in turned frames, for given pairs of directions.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <vndf/lanes/reflection.h>
+#include <vndf/lanes/tilted_shape.h>
 
 namespace vndf::lanes {
 inline namespace VNDF_LANES_BUILD {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <vndf/lanes/hemisphere.h>
+#include <vndf/lanes/shape_for_pairs.h>
 
 namespace vndf::lanes {
 inline namespace VNDF_LANES_BUILD {

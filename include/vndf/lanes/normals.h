@@ -27,9 +27,8 @@ VNDF_INLINE Vec3<F> sample_normal_concentric(const Vec3<F>& wo, const Shape& sha
 template <class F, class Shape = Vec2<F>, class Theta = XAxis>
 VNDF_INLINE Vec3<F> sample_normal_cap(const Vec3<F>& wo, const Shape& shape, Vec2<F> u, const Theta& theta_z = {}) {
   // The sum of two vectors that comes loses more than a product with floats.
-  auto a = narrowed(shape);
-  auto phi = plus(sincos2pi(u.x), azimuth_of(a));
-  return map_from_hemisphere(on_visible_cap(visible_cap_of(stretch(wo, a)), phi, u.y), a, theta_z);
+  auto a = for_cap(shape);
+  return map_from_hemisphere(on_visible_cap(visible_cap_of(stretch(wo, a)), sincos2pi(u.x), u.y), a, theta_z);
 }
 
 /// Plain GGX whose axes theta_z turns about n: sample(wo, theta_z) is one of the above for alpha and u. T is Split<F>

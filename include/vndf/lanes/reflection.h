@@ -48,22 +48,23 @@ VNDF_INLINE Facet<F> facet_of(const ChordFacet<F>& facet, F length, F area) {
   return {facet.nh, dot(facet.nh, facet.nh), facet.twice_cos, length, area};
 }
 
-/// The visible cap, the height of which is the area that its normals project to, and |A wo|.
+/// The visible cap, the height of which is the area that its normals project to, and |A wo|. Leaning shapes are masked
+/// by their areas alone.
 template <class F>
 struct CapToReflect {
   CapAtView<F> at;
   F length;
 };
-template <class F, class Shape = Vec2<F>>
-VNDF_INLINE CapToReflect<F> visible_cap_to_reflect(const Vec3<F>& wo, const Shape& shape) {
+template <class F>
+VNDF_INLINE CapToReflect<F> visible_cap_to_reflect(const Vec3<F>& wo, const Vec2<F>& alpha) {
+  auto view = map_to_cap(stretch(wo, alpha), F(1.f));
+  return {{view.x, view.y, visible_cap(view)}, view.length};
+}
+template <class F, class Shape>
+VNDF_INLINE CapAtView<F> visible_cap_to_reflect(const Vec3<F>& wo, const Shape& shape) {
   Vec3<F> h = stretch(wo, shape);
   auto view = map_to_cap(h, F(1.f));
-  Cap<F> cap;
-  if constexpr (kUpright<Shape>)
-    cap = visible_cap(view);
-  else
-    cap = visible_cap(view, h.z);
-  return {{view.x, view.y, cap}, view.length};
+  return {view.x, view.y, visible_cap(view, h.z)};
 }
 
 /// Eto and Tokuyoshi 2023: the part of the cap whose reflections can be above the horizon. `rest` is what the third
@@ -82,8 +83,12 @@ VNDF_INLINE BoundedCapToReflect<F> bounded_cap_to_reflect(const Vec3<F>& wo, con
 
 /// `r2`, e and phi are the disk point, see on_cap.
 template <class F>
+VNDF_INLINE Vec3<F> sample_on_cap(const CapAtView<F>& view, F r2, F e, const Angle<F>& phi) {
+  return with_direction(on_cap(view, r2, e, phi));
+}
+template <class F>
 VNDF_INLINE Vec3<F> sample_on_cap(const CapToReflect<F>& view, F r2, F e, const Angle<F>& phi) {
-  return with_direction(on_cap(view.at, r2, e, phi));
+  return sample_on_cap(view.at, r2, e, phi);
 }
 template <class F>
 VNDF_INLINE Vec3<F> sample_on_cap(const BoundedCapToReflect<F>& view, F r2, F e, const Angle<F>& phi) {
@@ -91,11 +96,16 @@ VNDF_INLINE Vec3<F> sample_on_cap(const BoundedCapToReflect<F>& view, F r2, F e,
   nh.z = nh.z + view.rest;
   return with_direction(nh);
 }
+
 /// A normal from the cap is the sum of two vectors as long as A wo, one of which is A wo: 2 A wo.nh = |nh|^2.
 template <class F>
-VNDF_INLINE Facet<F> facet_of(const Vec3<F>& nh, const CapToReflect<F>& view) {
+VNDF_INLINE Facet<F> facet_of(const Vec3<F>& nh, const CapAtView<F>& view, F length = F(0.f)) {
   F norm2 = dot(nh, nh);
-  return {nh, norm2, norm2, view.length, view.at.cap.height};
+  return {nh, norm2, norm2, length, view.cap.height};
+}
+template <class F>
+VNDF_INLINE Facet<F> facet_of(const Vec3<F>& nh, const CapToReflect<F>& view) {
+  return facet_of(nh, view.at, view.length);
 }
 template <class F>
 VNDF_INLINE Facet<F> facet_of(const Vec3<F>& nh, const BoundedCapToReflect<F>& view) {

@@ -159,10 +159,6 @@ template <class F>
 VNDF_INLINE Vec3<F> turn_back(const Vec3<F>& v, XAxis) {
   return v;
 }
-template <class F>
-VNDF_INLINE Angle<F> plus(const Angle<F>& phi, XAxis) {
-  return phi;
-}
 
 }  // namespace VNDF_LANES_BUILD
 }  // namespace vndf::lanes

@@ -39,11 +39,5 @@ VNDF_INLINE Angle<F> sincos2pi(F u) {
   return {turned.cos, op::with_sign_of(turned.sin, h)};
 }
 
-/// Of the sum of two angles.
-template <class F>
-VNDF_INLINE Angle<F> plus(const Angle<F>& a, const Angle<F>& b) {
-  return {a.cos * b.cos - a.sin * b.sin, a.sin * b.cos + a.cos * b.sin};
-}
-
 }  // namespace VNDF_LANES_BUILD
 }  // namespace vndf::lanes

@@ -1,0 +1,104 @@
+// The shape for given pairs of directions: the densities ask for A^-T.
+#pragma once
+
+#include <vndf/lanes/shape.h>
+
+namespace vndf::lanes {
+inline namespace VNDF_LANES_BUILD {
+
+/// The roughness that densities are evaluated with: at least 2^-60, which keeps a mirror's finite.
+template <class F>
+VNDF_INLINE F evaluated_alpha(F alpha) {
+  constexpr float kMirror = 0x1p-60f;
+  F abs = op::abs(alpha);
+  return op::select(abs < F(kMirror), F(kMirror), abs);
+}
+
+/// The diagonal that densities are evaluated with: |A| = a b.
+template <class F>
+struct EvaluatedDiagonal {
+  F a, a_over_b;
+};
+template <class F>
+VNDF_INLINE EvaluatedDiagonal<F> evaluated_diagonal(const Vec2<F>& diagonal) {
+  F a = evaluated_alpha(diagonal.x);
+  return {a, a / evaluated_alpha(diagonal.y)};
+}
+
+/// The shape for given pairs of directions: narrowed, and A^-T up to the diagonal of A, which is
+/// ((1, -xy, -xz), (0, 1, -yz), (0, 0, 1)).
+template <class F>
+struct TiltedForPairs {
+  Tilted<F, F> narrowed;
+  Split<F> xy, xz, yz;
+  EvaluatedDiagonal<F> diagonal;
+};
+template <class F>
+constexpr bool kUpright<TiltedForPairs<F>> = false;
+
+template <class F>
+VNDF_INLINE const Tilted<F, F>& narrowed(const TiltedForPairs<F>& a) {
+  return a.narrowed;
+}
+template <class F>
+VNDF_INLINE TiltedForPairs<F> for_pairs(const Tilted<F>& a) {
+  auto xy = quotient(a.yx, a.yy);
+  auto floats = narrowed(a);
+  return {floats, xy, difference(a.zx, xy, a.zy), a.zy, evaluated_diagonal(diagonal(floats))};
+}
+
+/// A = diag(alpha_x, alpha_y, 1) Rz: GGX whose axes are turned about n. Theta is SmallAngle<F>, or Angle<F> in a shape
+/// that is narrowed.
+template <class F, class Theta = SmallAngle<F>>
+struct Turned {
+  Theta theta_z;
+  Vec2<F> alpha;
+};
+/// Odd quarter turns exchange the two alpha, which is another quarter turn on the left of A.
+template <class F>
+VNDF_INLINE Turned<F> turned_shape(const Vec2<F>& alpha, const Rotation<F>& theta_z) {
+  auto odd = theta_z.turns.odd;
+  return {theta_z.small, {op::select(odd, alpha.y, alpha.x), op::select(odd, alpha.x, alpha.y)}};
+}
+
+template <class F>
+VNDF_INLINE Turned<F, Angle<F>> narrowed(const Turned<F>& a) {
+  return {narrowed(a.theta_z), a.alpha};
+}
+template <class F, class Theta>
+VNDF_INLINE Vec3<F> stretch(const Vec3<F>& v, const Turned<F, Theta>& a) {
+  return stretch(turn(v, a.theta_z), a.alpha);
+}
+
+/// a A^-T v for |A| = a b.
+template <class F>
+struct Unstretched {
+  Vec3<F> v;
+  F a, a_over_b;
+};
+
+template <class F>
+VNDF_INLINE Unstretched<F> unstretch(const Vec3<F>& v, const EvaluatedDiagonal<F>& d) {
+  return {{v.x, v.y * d.a_over_b, v.z * d.a}, d.a, d.a_over_b};
+}
+template <class F>
+VNDF_INLINE Unstretched<F> unstretch(const Vec3<F>& v, const Vec2<F>& alpha) {
+  return unstretch(v, evaluated_diagonal(alpha));
+}
+/// The solution of a triangle, up to its diagonal, which is that of plain GGX. What may cancel are again products with
+/// exact large parts.
+template <class F>
+VNDF_INLINE Unstretched<F> unstretch(const Vec3<F>& v, const TiltedForPairs<F>& a) {
+  auto y = split(v.y), z = split(v.z);
+  F vx = ((v.x - a.xy.high * y.high) - a.xz.high * z.high) -
+         ((a.xy.high * y.low + a.xy.low * v.y) + (a.xz.high * z.low + a.xz.low * v.z));
+  F vy = (v.y - a.yz.high * z.high) - (a.yz.high * z.low + a.yz.low * v.z);
+  return unstretch(Vec3<F>{vx, vy, v.z}, a.diagonal);
+}
+template <class F>
+VNDF_INLINE Unstretched<F> unstretch(const Vec3<F>& v, const Turned<F>& a) {
+  return unstretch(turn(v, a.theta_z), a.alpha);
+}
+
+}  // namespace VNDF_LANES_BUILD
+}  // namespace vndf::lanes
