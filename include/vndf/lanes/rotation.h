@@ -88,14 +88,18 @@ VNDF_INLINE Rotation<F> rotation_of(F theta) {
   return rotation_of<Split<F>>(reduce_angle(theta));
 }
 
-/// 1 - cos.
+/// With 1 - cos, to float.
 template <class F>
-VNDF_INLINE F versine(const SmallAngle<F>& a) {
-  return (a.x * a.x) * F(0.5f) - a.cos_rest;
+struct Versed {
+  F x, sin_rest, versine;
+};
+template <class F>
+VNDF_INLINE Versed<F> versed(const SmallAngle<F>& a) {
+  return {a.x, a.sin_rest, (a.x * a.x) * F(0.5f) - a.cos_rest};
 }
 template <class F>
-VNDF_INLINE Angle<F> narrowed(const SmallAngle<F>& a) {
-  return {F(1.f) - versine(a), a.x + a.sin_rest};
+VNDF_INLINE Angle<F> narrowed(const Versed<F>& a) {
+  return {F(1.f) - a.versine, a.x + a.sin_rest};
 }
 
 /// (cos, sin)(theta) in T: a float, or a double.
@@ -103,7 +107,7 @@ template <class T, class F>
 VNDF_INLINE Angle<T> angle_of(const Rotation<F>& r) {
   const auto& [small, turns] = r;
   if constexpr (std::is_same_v<T, F>) {
-    auto angle = narrowed(small);
+    auto angle = narrowed(versed(small));
     return {turns.x(angle.cos, angle.sin), turns.y(angle.cos, angle.sin)};
   } else {
     T x = op::widen(small.x), less = (x * x) * T(0.5);
@@ -128,8 +132,8 @@ VNDF_INLINE Vec3<F> turn(const Vec3<F>& v, const Angle<F>& z) {
 /// The same, but what cancels keeps its digits, to 0.6 eps: the large ones of the products are exact, and what they are
 /// taken from is v itself.
 template <class F>
-VNDF_INLINE Vec3<F> turn(const Vec3<F>& v, const SmallAngle<F>& z) {
-  F less = versine(z);
+VNDF_INLINE Vec3<F> turn(const Vec3<F>& v, const Versed<F>& z) {
+  F less = z.versine;
   auto x = split(v.x), y = split(v.y), s = split(z.x);
   s.low = s.low + z.sin_rest;
   return {(v.x - s.high * y.high) - (less * v.x + (s.high * y.low + s.low * v.y)),
@@ -137,7 +141,7 @@ VNDF_INLINE Vec3<F> turn(const Vec3<F>& v, const SmallAngle<F>& z) {
 }
 template <class F>
 VNDF_INLINE Vec3<F> turn(const Vec3<F>& v, const Rotation<F>& z) {
-  return turn(Vec3<F>{z.turns.x(v.x, v.y), z.turns.y(v.x, v.y), v.z}, z.small);
+  return turn(Vec3<F>{z.turns.x(v.x, v.y), z.turns.y(v.x, v.y), v.z}, versed(z.small));
 }
 /// By one or the other.
 template <class T, class F>

@@ -47,9 +47,9 @@ VNDF_INLINE TiltedForPairs<F> for_pairs(const Tilted<F>& a) {
   return {floats, xy, difference(a.zx, xy, a.zy), a.zy, evaluated_diagonal(diagonal(floats))};
 }
 
-/// A = diag(alpha_x, alpha_y, 1) Rz: GGX whose axes are turned about n. Theta is SmallAngle<F>, or Angle<F> in a shape
+/// A = diag(alpha_x, alpha_y, 1) Rz: GGX whose axes are turned about n. Theta is Versed<F>, or Angle<F> in a shape
 /// that is narrowed.
-template <class F, class Theta = SmallAngle<F>>
+template <class F, class Theta = Versed<F>>
 struct Turned {
   Theta theta_z;
   Vec2<F> alpha;
@@ -58,7 +58,7 @@ struct Turned {
 template <class F>
 VNDF_INLINE Turned<F> turned_shape(const Vec2<F>& alpha, const Rotation<F>& theta_z) {
   auto odd = theta_z.turns.odd;
-  return {theta_z.small, {op::select(odd, alpha.y, alpha.x), op::select(odd, alpha.x, alpha.y)}};
+  return {versed(theta_z.small), {op::select(odd, alpha.y, alpha.x), op::select(odd, alpha.x, alpha.y)}};
 }
 
 template <class F>
