@@ -122,6 +122,8 @@ void sample_disk(std::size_t count, const Columns2& u, const Out2& t) noexcept {
 
 #include "shading_kernels.h"
 
+#include "dielectric_kernels.h"
+
 #include "ellipsoid_kernels.h"
 
 namespace vndf {

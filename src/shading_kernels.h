@@ -1,9 +1,10 @@
-// The kernels of the shading step: reflection and refraction at visible normals, and densities.
+// The kernels of the shading step: reflection at visible normals, and densities.
 #pragma once
 
 namespace {
 
 using lanes::Facet;
+namespace op = lanes::op;
 
 /// The stages of the shading step hand one another more than those of the normals do: half a block at a time keeps it
 /// in the first-level cache.
@@ -77,6 +78,12 @@ using Facets = std::conditional_t<bounded || warp == Warp::spherical_cap, Facets
 template <Masking masking>
 using MaskingOf = std::conditional_t<masking == Masking::height_correlated, lanes::HeightCorrelated, lanes::Separable>;
 
+/// A direction that is sampled.
+struct Direction {
+  Vec3<F> wi;
+  F spread;
+};
+
 template <std::size_t C, std::size_t M>
 VNDF_INLINE void store_if_wanted(const Outputs<M>& out, std::size_t i, F value) {
   if (out.column[C]) out.template store<C>(i, value);
@@ -136,10 +143,6 @@ class ReflectionKernel {
     }
   }
 
-  struct Direction {
-    Vec3<F> wi;
-    F spread;
-  };
   Facets<warp, bounded, AsGiven, Surface> facets_;
   StagedForShading<Direction> directions_;
   StagedForShading<typename Masked::template Light<F>> lights_;
@@ -185,9 +188,9 @@ class ReflectionEvaluation {
   template <class S>
   static VNDF_INLINE Terms terms_of(const Vec3<F>& wo, const Vec3<F>& wi, const S& shape) {
     if constexpr (bounded)
-      return lanes::pair_terms_bounded<Masked>(wo, wi, shape);
+      return lanes::reflection_terms_bounded<Masked>(wo, wi, shape);
     else
-      return lanes::pair_terms<Masked>(wo, wi, shape);
+      return lanes::reflection_terms<Masked>(wo, wi, shape);
   }
 
   Staged<Terms> terms_;
@@ -202,91 +205,28 @@ void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& 
 }
 
 template <class Surface = PlainSurface<6>>
-struct NormalDensity {
+class NormalDensity {
+ public:
   static constexpr std::size_t kLanes = kBlock;
   Surface surface;
 
   template <std::size_t N>
   VNDF_INLINE void operator()(const Inputs<N>& in, const Outputs<1>& pdf, std::size_t n) {
     surface.prepare(in, n);
-    for (std::size_t i = 0; i < n; i += kWidth) {
-      pdf.store<0>(i, lanes::visible_normal_pdf(load_wo(in, i), load_second(in, i), surface.shape.for_pair(in, i)));
-    }
+    for (std::size_t i = 0; i < n; i += kWidth)
+      terms_.store(i, normal_terms(load_wo(in, i), load_second(in, i), surface.shape.for_pair(in, i)));
+    for (std::size_t i = 0; i < n; i += kWidth)
+      pdf.store<0>(i, lanes::visible_normal_pdf(in.template load<5>(i), terms_.load(i)));
   }
+
+ private:
+  Staged<lanes::NormalTerms<F>> terms_;
 };
 
 void pdf_normals(std::size_t count, const Columns3& wo, const Columns3& wm, const Columns2& alpha,
                  float* pdf) noexcept {
   NormalDensity<> kernel;
   for_each_block<8, 1>(count, {&wo.x, &wo.y, &wo.z, &wm.x, &wm.y, &wm.z, &alpha.x, &alpha.y}, {pdf}, kernel);
-}
-
-template <Warp warp, class Masked, class Surface = PlainSurface<3>>
-class DielectricKernel {
- public:
-  static constexpr std::size_t kLanes = kShadingBlock;
-  Surface surface;
-
-  template <std::size_t N>
-  VNDF_INLINE void operator()(const Inputs<N>& in, const Outputs<6>& out, std::size_t n) {
-    surface.prepare(in, n);
-    facets_.sample(in, surface, n);
-    for (std::size_t i = 0; i < n; i += kWidth) {
-      in.template prefetch<3, 4, 7, 8>(i);
-      Vec3<F> wo = surface.frame.wo(in, i);
-      auto below = wo.z < F(0.f);
-      wo = lanes::mirrored(below, wo);
-      auto sample =
-          lanes::sample_dielectric<Masked>(wo, surface.shape.load(in, i), facets_.load(i, wo.z),
-                                           lanes::mirrored_eta(below, in.template load<7>(i)), in.template load<8>(i));
-      Vec3<F> wi = turn_back(lanes::mirrored(below, sample.wi), surface.frame.theta_z(i));
-      out.store<0>(i, wi.x);
-      out.store<1>(i, wi.y);
-      out.store<2>(i, wi.z);
-      out.store<3>(i, sample.pdf);
-      out.store<4>(i, sample.weight);
-      out.store<5>(i, sample.side);
-    }
-  }
-
- private:
-  Facets<warp, false, FacingUp, Surface> facets_;
-};
-
-template <Warp warp, Masking masking>
-void sample_dielectric(std::size_t count, const Columns3& wo, const Columns2& alpha, const Column& eta,
-                       const Columns3& u, const DielectricSamples& out) noexcept {
-  DielectricKernel<warp, MaskingOf<masking>> kernel;
-  for_each_block<9, 6>(count, {&wo.x, &wo.y, &wo.z, &alpha.x, &alpha.y, &u.x, &u.y, &eta, &u.z},
-                       {out.wi.x, out.wi.y, out.wi.z, out.pdf, out.weight, out.side}, kernel);
-}
-
-template <class Masked, class Surface = PlainSurface<6>>
-struct DielectricEvaluation {
-  static constexpr std::size_t kLanes = kBlock;
-  Surface surface;
-
-  template <std::size_t N>
-  VNDF_INLINE void operator()(const Inputs<N>& in, const Outputs<2>& out, std::size_t n) {
-    surface.prepare(in, n);
-    for (std::size_t i = 0; i < n; i += kWidth) {
-      Vec3<F> wo = load_wo(in, i), wi = load_second(in, i);
-      auto below = wo.z < F(0.f);
-      auto value = lanes::evaluate_dielectric<Masked>(lanes::mirrored(below, wo), lanes::mirrored(below, wi),
-                                                      surface.shape.for_pair(in, i),
-                                                      lanes::mirrored_eta(below, in.template load<8>(i)));
-      out.store<0>(i, value.f_cos);
-      out.store<1>(i, value.pdf);
-    }
-  }
-};
-
-template <Masking masking>
-void evaluate_dielectric(std::size_t count, const Columns3& wo, const Columns3& wi, const Columns2& alpha,
-                         const Column& eta, const Evaluations& out) noexcept {
-  DielectricEvaluation<MaskingOf<masking>> kernel;
-  for_each_block<9, 2>(count, {&wo.x, &wo.y, &wo.z, &wi.x, &wi.y, &wi.z, &alpha.x, &alpha.y, &eta},
-                       {out.f_cos, out.pdf}, kernel);
 }
 
 // The warps' kernels of one variant.

@@ -91,13 +91,27 @@ VNDF_INLINE F smith_g2_separable(const Vec3<F>& v, const Vec3<F>& l, const Vec2<
   return smith_g1(v, alpha) * smith_g1(l, alpha);
 }
 
+/// Of a view and a normal, what comes before the divisions of their density.
+template <class F>
+struct NormalTerms {
+  NdfTerms<F> ndf;
+  F cos, area;
+};
+template <class F, class Shape = Vec2<F>>
+VNDF_INLINE NormalTerms<F> normal_terms(const Vec3<F>& v, const Vec3<F>& m, const Shape& shape) {
+  return {ndf_terms(m, shape), dot(v, m), lune_area(stretch(v, narrowed(shape)))};
+}
+
 /// The density of visible normals, eq. 3 (Walter et al. 2015, eq. 33), for any view, m of the upper hemisphere:
 /// 2 D(m) max(0, v.m) / (|A v| + (A v).z).
+template <class F>
+VNDF_INLINE F visible_normal_pdf(F m_z, const NormalTerms<F>& terms) {
+  F pdf = ((terms.cos + terms.cos) / terms.area) * ndf(terms.ndf);
+  return op::select(terms.cos > F(0.f), op::select(m_z < F(0.f), F(0.f), pdf), F(0.f));
+}
 template <class F, class Shape = Vec2<F>>
 VNDF_INLINE F visible_normal_pdf(const Vec3<F>& v, const Vec3<F>& m, const Shape& shape) {
-  F cos = dot(v, m);
-  F pdf = ((cos + cos) / lune_area(stretch(v, narrowed(shape)))) * ndf(m, shape);
-  return op::select(cos > F(0.f), op::select(m.z < F(0.f), F(0.f), pdf), F(0.f));
+  return visible_normal_pdf(m.z, normal_terms(v, m, shape));
 }
 
 }  // namespace VNDF_LANES_BUILD

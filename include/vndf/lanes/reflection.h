@@ -233,44 +233,56 @@ struct PairTerms {
   F length, area;
   typename Masking::template Light<F> light;
 };
-
-/// h = wo + wi is taken as it is: one rounding for each component, none for its length.
+/// From the view, the half vector of any length, and the light's.
 template <class Masking, class F, class Shape = Vec2<F>>
-VNDF_INLINE PairTerms<Masking, F> pair_terms(const Vec3<F>& wo, const Vec3<F>& wi, const Shape& shape) {
-  const auto& a = narrowed(shape);
+VNDF_INLINE PairTerms<Masking, F> pair_terms(const Vec3<F>& wo, const Vec3<F>& h, const Shape& shape,
+                                             const typename Masking::template Light<F>& light) {
   F length(0.f), area;
   if constexpr (kUpright<Shape>) {
-    length = stretched_length(wo, a);
+    length = stretched_length(wo, narrowed(shape));
     area = length + wo.z;
   } else {
     // Lunes are masked by their areas alone.
-    area = lune_area(stretch(wo, a));
+    area = lune_area(stretch(wo, narrowed(shape)));
   }
-  return {ndf_terms<F>({wo.x + wi.x, wo.y + wi.y, wo.z + wi.z}, shape), length, area, Masking::light(wi, a)};
+  return {ndf_terms(h, shape), length, area, light};
+}
+
+/// h = wo + wi is taken as it is: one rounding for each component, none for its length.
+template <class Masking, class F, class Shape = Vec2<F>>
+VNDF_INLINE PairTerms<Masking, F> reflection_terms(const Vec3<F>& wo, const Vec3<F>& wi, const Shape& shape) {
+  Vec3<F> h = {wo.x + wi.x, wo.y + wi.y, wo.z + wi.z};
+  return pair_terms<Masking>(wo, h, shape, Masking::light(wi, narrowed(shape)));
 }
 /// The pair of bounded sampling.
 template <class Masking, class F>
-VNDF_INLINE PairTerms<Masking, F> pair_terms_bounded(const Vec3<F>& wo, const Vec3<F>& wi, const Vec2<F>& alpha) {
-  auto terms = pair_terms<Masking>(wo, wi, alpha);
+VNDF_INLINE PairTerms<Masking, F> reflection_terms_bounded(const Vec3<F>& wo, const Vec3<F>& wi, const Vec2<F>& alpha) {
+  auto terms = reflection_terms<Masking>(wo, wi, alpha);
   terms.area = terms.length + reflection_bound(wo, alpha).k * wo.z;
   return terms;
 }
 
-/// D(h) / (2 area), and f cos = pdf weight.
+/// D(h) / (2 area).
+template <class Masking, class F>
+VNDF_INLINE F pair_pdf(const PairTerms<Masking, F>& terms) {
+  return ndf(terms.ndf) / (terms.area + terms.area);
+}
+
+/// f cos = pdf weight.
 template <class Masking, class F>
 VNDF_INLINE Evaluation<F> evaluate_pair(F wo_z, F wi_z, const PairTerms<Masking, F>& terms) {
-  F pdf = ndf(terms.ndf) / (terms.area + terms.area);
+  F pdf = pair_pdf(terms);
   F weight = Masking::weight(wo_z, terms.length, terms.area, wi_z, terms.light);
   return {where_above(wo_z, wi_z, pdf * weight), where_above(wo_z, wi_z, pdf)};
 }
 
 template <class Masking, class F, class Shape = Vec2<F>>
 VNDF_INLINE Evaluation<F> evaluate_reflection(const Vec3<F>& wo, const Vec3<F>& wi, const Shape& shape) {
-  return evaluate_pair(wo.z, wi.z, pair_terms<Masking>(wo, wi, shape));
+  return evaluate_pair(wo.z, wi.z, reflection_terms<Masking>(wo, wi, shape));
 }
 template <class Masking, class F>
 VNDF_INLINE Evaluation<F> evaluate_reflection_bounded(const Vec3<F>& wo, const Vec3<F>& wi, const Vec2<F>& alpha) {
-  return evaluate_pair(wo.z, wi.z, pair_terms_bounded<Masking>(wo, wi, alpha));
+  return evaluate_pair(wo.z, wi.z, reflection_terms_bounded<Masking>(wo, wi, alpha));
 }
 
 }  // namespace VNDF_LANES_BUILD
