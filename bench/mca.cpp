@@ -46,7 +46,9 @@ extern "C" {
 VNDF_STAGE(polar_map, store(polar_map(load<Vec2<F>>(a, i)), out, i))
 VNDF_STAGE(concentric_map, store(concentric_map(load<Vec2<F>>(a, i)), out, i))
 VNDF_STAGE(chord, store(chord(load<DiskPoint<F>>(a, i)), out, i))
-VNDF_STAGE(map_to_hemisphere, store(map_to_hemisphere(stretch(load<Vec3<F>>(a, i), load<Vec2<F>>(b, i))), out, i))
+VNDF_STAGE(scale_view, F norm;
+           store(scale_view(stretch(load<Vec3<F>>(a, i), load<Vec2<F>>(b, i)), XAxis{}, norm), out, i))
+VNDF_STAGE(elevation_of, store(elevation_of(load<ScaledView<F>>(a, i)), out, i))
 VNDF_STAGE(reproject, auto view = load<HemisphereView<F>>(a, i); auto t = load<Chord<F>>(b, i);
            store(reproject(view, t, squish(view, t)), out, i))
 VNDF_STAGE(map_from_hemisphere, store(map_from_hemisphere(load<Vec3<F>>(a, i), load<Vec2<F>>(b, i)), out, i))

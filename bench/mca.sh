@@ -71,7 +71,7 @@ measure avx512 16 'xsimd::batch<float,xsimd::avx512bw>' -mavx512f -mavx512cd -ma
 
 awk -v cpus="$cpus" -v by_stage="$stages" '
   BEGIN {
-    disk = "chord map_to_hemisphere reproject map_from_hemisphere"
+    disk = "chord scale_view elevation_of reproject map_from_hemisphere"
     warps = by_stage ? "polar_map concentric_map " disk " visible_cap_of on_visible_cap" : "polar concentric spherical_cap"
     parts["polar"] = "polar_map " disk
     parts["concentric"] = "concentric_map " disk

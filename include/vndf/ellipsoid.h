@@ -11,9 +11,9 @@ namespace vndf {
 /// A = S R, eq. 2-3: S = diag(alpha_x, alpha_y, 1), R = Rx(theta_x) Ry(theta_y) Rz(theta_z), angles in radians. Columns
 /// or constants:
 ///  - all angles the constant 0: plain GGX with separable masking, its bits and its speed.
-///  - all five constants: one matrix for the batch, normals 1.1 to 1.3 times the time of plain GGX, the rest to 1.55.
-///  - theta_x and theta_y the constant 0: axes that a texture turns, 1.3 to 1.55 times; evaluating 1.6 to 2.
-///  - else the matrix is worked out for each lane, 4 to 9 times; evaluating 8 to 11.
+///  - all five constants: one matrix for the batch, 1.1 to 1.35 times the time of plain GGX; evaluating to 1.7.
+///  - theta_x and theta_y the constant 0: axes that a texture turns, 1.25 to 1.5 times; evaluating 1.9 to 2.1.
+///  - else the matrix is worked out for each lane, 4 to 9 times; evaluating 10 to 13.
 /// The third way rounds otherwise than the second and the fourth, which have the same bits.
 ///
 /// alpha    from 1e-6 to 100.
@@ -64,8 +64,8 @@ const char* message(ShapeError error) noexcept;
 /// each row of tests/ellipsoid/accuracy_test.cpp, polar and concentric: for |theta_x|, |theta_y| <= 0.5 and alpha from
 /// 1e-3 to 1 mean 1.1, p99.9 7, largest 19 but where twice what half a unit of the last place of the inputs moves the
 /// exact normal by is more (830), and for u = 0 exactly 2^-26 / alpha. For any angles mean 1.2, p99.9 20, largest 152.
-/// The cap: mean 1.4, p99.9 41, largest 6900; at the rim of the disk mean 6, p99.9 434, largest 91 000; for any angles
-/// mean 1.6, p99.9 77, largest 5400.
+/// The cap: mean 1.4, p99.9 39, largest 6900; at the rim of the disk mean 6, p99.9 414, largest 94 000; for any angles
+/// mean 1.5, p99.9 60, largest 3100.
 ///
 /// NaN or infinity in any input of a lane, or alpha = 0: unspecified values or NaN in that lane.
 void sample_normals(Warp warp, std::size_t count, const Columns3& wo, const Ellipsoid& ellipsoid, const Columns2& u,
@@ -75,17 +75,16 @@ void sample_normals(Warp warp, std::size_t count, const Columns3& wo, const Shap
 
 /// sample_reflection of vndf.h: wi, eq. 47; pdf, eq. 48; weight, eq. 50 without Fresnel's factor, in [0, 1]. Masking is
 /// G = G1(wo) G1(wi), eq. 5, with the minimum of eq. 6: the height-correlated one is not defined with it, and neither
-/// is bounded sampling. For theta = 0 the bits of vndf.h with separable masking, but for weights of columns of zeros as
-/// theta_x or theta_y, which are within 4 eps of them.
+/// is bounded sampling. For theta = 0 the bits of vndf.h with separable masking.
 void sample_reflection(Warp warp, std::size_t count, const Columns3& wo, const Ellipsoid& ellipsoid, const Columns2& u,
                        const ReflectionSamples& out) noexcept;
 void sample_reflection(Warp warp, std::size_t count, const Columns3& wo, const Shape& shape, const Columns2& u,
                        const ReflectionSamples& out) noexcept;
 
 /// evaluate_reflection of vndf.h: f_cos = D(h) G1(wo) G1(wi) / (4 wo.z), eq. 4, and the pdf of sample_reflection. Both
-/// are 0 where wo.z < 0 or wi.z <= 0. For theta = 0 as above, f_cos as the weights. Relative error, of pdf_normals
-/// times wo.wm: 25 eps, or 4 + 2 / min(alpha_x, alpha_y) eps where that is more, for alpha up to 1; beyond, 25 or
-/// 12 + 6 max(alpha_x, alpha_y) / min(1, alpha_x, alpha_y).
+/// are 0 where wo.z < 0 or wi.z <= 0. For theta = 0 as above. Relative error, of pdf_normals times wo.wm: 25 eps, or
+/// 4 + 2 / min(alpha_x, alpha_y) eps where that is more, for alpha up to 1; beyond, 25 or 12 + 6 max(alpha_x, alpha_y)
+/// / min(1, alpha_x, alpha_y).
 void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& wi, const Ellipsoid& ellipsoid,
                          const Evaluations& out) noexcept;
 void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& wi, const Shape& shape,
@@ -99,17 +98,18 @@ void pdf_normals(std::size_t count, const Columns3& wo, const Columns3& wm, cons
 /// sample_dielectric of vndf.h: eta, u and the outputs as there, the density of eq. 33 with the Jacobians of Walter et
 /// al. 2007, eq. 14 and 17. Masking is G = G1(wo) G1(wi) for reflection and for refraction, each direction turned to
 /// the upper hemisphere, eq. 7, so that views from below see the same ellipsoid, mirrored in the origin; the weight is
-/// that of eq. 50 for either, in [0, 1]. For theta = 0 as above. pdf agrees with evaluate_dielectric as there, alpha
-/// being the smaller one.
+/// that of eq. 50 for either, in [0, 1]. For theta = 0 as above, but for weights across of columns of zeros as theta_x
+/// or theta_y, which are within 4 eps of those bits. pdf agrees with evaluate_dielectric as there, alpha being the
+/// smaller one.
 void sample_dielectric(Warp warp, std::size_t count, const Columns3& wo, const Ellipsoid& ellipsoid, const Column& eta,
                        const Columns3& u, const DielectricSamples& out) noexcept;
 void sample_dielectric(Warp warp, std::size_t count, const Columns3& wo, const Shape& shape, const Column& eta,
                        const Columns3& u, const DielectricSamples& out) noexcept;
 
 /// evaluate_dielectric of vndf.h: f(wo, wi) |wi.z| of Walter et al. 2007, eq. 20 and 21, with D of eq. 1 and G of
-/// eq. 7, and the pdf of sample_dielectric. f / eta^2 of the side of wi is symmetric. For theta = 0 as above.
-/// Relative error against these formulas, tests/ellipsoid/dielectric_test.cpp: 4 eps (4 + 2 / alpha) (1 + 1 /
-/// g) / (|h| |wo.wm| |wi.wm|), as there, measured 1.5.
+/// eq. 7, and the pdf of sample_dielectric. f / eta^2 of the side of wi is symmetric. For theta = 0 as there, f_cos as
+/// the weights. Relative error against these formulas, tests/ellipsoid/dielectric_test.cpp: 4 eps (4 + 2 / alpha)
+/// (1 + 1 / g) / (|h| |wo.wm| |wi.wm|), as there, measured 1.5.
 void evaluate_dielectric(std::size_t count, const Columns3& wo, const Columns3& wi, const Ellipsoid& ellipsoid,
                          const Column& eta, const Evaluations& out) noexcept;
 void evaluate_dielectric(std::size_t count, const Columns3& wo, const Columns3& wi, const Shape& shape,
