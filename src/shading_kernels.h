@@ -116,7 +116,7 @@ class ReflectionKernel {
       auto facet = facets_.load(i, wo.z);
       auto normal = normal_of(facet, shape);
       directions_.store(i, {reflect(wo, facet, normal), spread(facet, normal, shape)});
-      if constexpr (with_normals) normals_.store(i, unit_normal(facet, normal));
+      if constexpr (with_normals) normals_.store(i, unit_normal(facet, normal, surface.frame.theta_z(i)));
     }
     for (std::size_t i = 0; i < n; i += kWidth)
       lights_.store(i, Masked::light(directions_.load(i).wi, surface.shape.load(in, i)));
@@ -129,10 +129,9 @@ class ReflectionKernel {
       Vec3<F> wi = turn_back(direction.wi, surface.frame.theta_z(i));
       if constexpr (with_normals) {
         auto normal = normals_.load(i);
-        Vec3<F> wm = turn_back(normal.wm, surface.frame.theta_z(i));
-        store_if_wanted<5>(out, i, wm.x);
-        store_if_wanted<6>(out, i, wm.y);
-        store_if_wanted<7>(out, i, wm.z);
+        store_if_wanted<5>(out, i, normal.wm.x);
+        store_if_wanted<6>(out, i, normal.wm.y);
+        store_if_wanted<7>(out, i, normal.wm.z);
         store_if_wanted<8>(out, i, normal.cos);
       }
       out.store<0>(i, wi.x);

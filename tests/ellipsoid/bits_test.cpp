@@ -36,6 +36,32 @@ TEST(ZeroAngles, AsColumnsAndConstants) {
   EXPECT_GE(compared, 12u);
 }
 
+// The normal of sample_reflection is that of sample_normals, whichever way the angles are given.
+TEST(WantedOutputs, NormalIsThatOfSampleNormals) {
+  constexpr std::size_t kCount = 1 << 14;
+  reference::Random random(4);
+  Directions wo(kCount), wm(kCount);
+  Samples sample(kCount);
+  Table u(2, std::vector<float>(kCount)), alpha = u, theta(3, u[0]);
+  for (std::size_t i = 0; i < kCount; ++i) {
+    double z = random.unit(), phi = random.uniform(0, 2 * kPi<double>), s = std::sqrt(1 - z * z);
+    wo.set(i, V3<double>{s * std::cos(phi), s * std::sin(phi), z});
+    for (auto& column : u) column[i] = random.unit();
+    for (auto& column : alpha) column[i] = float(random.log_uniform(1e-3, 1));
+    for (auto& column : theta) column[i] = float(random.uniform(-1, 1));
+  }
+  const Columns2 columns{alpha[0].data(), alpha[1].data()};
+  for (Warp warp : kWarps)
+    for (const Ellipsoid& e :
+         {Ellipsoid({0.1f, 0.4f}, 0.3f, -0.2f, 0.7f), Ellipsoid(columns, 0.f, 0.f, theta[2].data()),
+          Ellipsoid(columns, theta[0].data(), theta[1].data(), theta[2].data())})
+      on_every_isa([&] {
+        sample_normals(warp, kCount, wo.in(), e, {u[0].data(), u[1].data()}, wm.out());
+        sample_reflection(warp, kCount, wo.in(), e, {u[0].data(), u[1].data()}, sample.with_normals());
+        EXPECT_TRUE(same_bits({wm.x, wm.y, wm.z}, {sample.wm.x, sample.wm.y, sample.wm.z})) << int(warp);
+      });
+}
+
 // Finite inputs that are not degenerate give no NaN: unit views, alpha from 1e-6 to 100, any angles, u in [0, 1] with
 // both ends.
 TEST(GoodInputs, GiveNoNan) {

@@ -133,10 +133,11 @@ struct UnitNormal {
   F cos;
 };
 
-template <class F>
-VNDF_INLINE UnitNormal<F> unit_normal(const Facet<F>& facet, const Normal<F>& normal) {
+template <class F, class Theta = XAxis>
+VNDF_INLINE UnitNormal<F> unit_normal(const Facet<F>& facet, const Normal<F>& normal, const Theta& theta_z = {}) {
   F inv = F(1.f) / op::sqrt(normal.p2);
-  return {{normal.p.x * inv, normal.p.y * inv, normal.p.z * inv}, (facet.twice_cos * F(0.5f)) * inv};
+  Vec3<F> p = turn_back(normal.p, theta_z);
+  return {{p.x * inv, p.y * inv, p.z * inv}, (facet.twice_cos * F(0.5f)) * inv};
 }
 
 /// Heitz 2018, eq. 16: wi = 2 (wo.wm) wm - wo, without a square root.
