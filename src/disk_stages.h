@@ -1,5 +1,5 @@
 // What Heitz 2018 does before the reprojection, for a block: points of the disk, their chords, and views in the
-// hemisphere configuration. Each stage is about as long as a core can keep several of in flight.
+// hemisphere configuration. Each stage is short enough for a core to work on several vectors at once.
 #pragma once
 
 namespace {
@@ -74,9 +74,9 @@ class DiskStages {
 
   Staged<lanes::DiskPoint<F>, kLanes> points_;
   Staged<lanes::Chord<F>, kLanes> chords_;
-  Staged<Vec3<F>, kLanes> stretched_;  // where A takes as long as a stage
+  Staged<Vec3<F>, kLanes> stretched_;  // of what leans: there A takes as long as a stage
   Staged<lanes::ScaledView<F>, kLanes> views_;
-  Staged<F, kLanes> lengths_, areas_;
+  Staged<F, kLanes> lengths_, areas_;  // areas of what leans
   Staged<lanes::Elevation<F>, kLanes> elevations_;
 };
 

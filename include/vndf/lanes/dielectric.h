@@ -70,7 +70,7 @@ struct Crossing {
   F side;      // 1: reflected, -1: refracted
   F share;     // Fresnel's
   F jacobian;  // 1, or refraction over reflection
-  F bend;
+  F bend;      // as in Fresnel
 };
 
 /// Reflection where u is below Fresnel's share of it, else refraction.
@@ -111,11 +111,12 @@ VNDF_INLINE F refraction_weight(F wi_z, F length_i) {
   return at_most_one((wi_z + wi_z) / (wi_z + length_i));
 }
 
-/// The weight of a direction on the view's side or across, where G is that of wi turned to the view's side, Walter et
-/// al. 2015, eq. 7. Lunes do not tell the sides apart: theirs is the one of reflection for either. Lengths are the same
-/// turned or not.
+/// Lunes do not tell the sides apart: their weight is the one of reflection for either.
 template <class Masking>
 constexpr bool kTellsSides = std::is_base_of_v<ByLengths, Masking>;
+
+/// The weight of a direction on the view's side or across, where G is that of wi turned to the view's side, Walter et
+/// al. 2015, eq. 7. Lengths are the same turned or not.
 template <class Masking, class F, class Shape = Vec2<F>>
 VNDF_INLINE typename Masking::template Light<F> dielectric_light(F side, const Vec3<F>& wi, const Shape& shape) {
   if constexpr (kTellsSides<Masking>)
