@@ -100,6 +100,18 @@ VNDF_INLINE void for_each_block(std::size_t count, const vndf::Column* const (&c
   }
 }
 
+/// second(i, first(i)) for each vector of a block. The first of the next one is computed beside: one after the other
+/// they are a chain too long for a core to overlap, and this way what is between them stays in registers.
+template <class First, class Second>
+VNDF_INLINE void for_each_ahead(std::size_t n, First first, Second second) {
+  auto next = first(0);
+  for (std::size_t i = 0; i < n; i += kWidth) {
+    auto now = next;
+    next = first(i + kWidth < n ? i + kWidth : 0);
+    second(i, now);
+  }
+}
+
 /// A block of what one stage hands the next: T is a lane, or an aggregate of lanes.
 template <class T, std::size_t kLanes = kBlock>
 class Staged {

@@ -23,9 +23,18 @@ class DiskStages {
  public:
   template <std::size_t N>
   VNDF_INLINE void run(const Inputs<N>& in, const Surface& surface, std::size_t n) {
-    for (std::size_t i = 0; i < n; i += kWidth) {
-      in.template prefetch<0, 1>(i);
-      points_.store(i, map_disk<map>(load_u(in, i)));
+    if constexpr (map == DiskMap::polar) {
+      for (std::size_t i = 0; i < n; i += kWidth) {
+        in.template prefetch<0, 1>(i);
+        points_.store(i, lanes::polar_map(load_u(in, i)));
+      }
+    } else {
+      for_each_ahead(
+          n, [&](std::size_t i) { return lanes::wedge_of(load_u(in, i)); },
+          [&](std::size_t i, const lanes::Wedge<F>& wedge) {
+            in.template prefetch<0, 1>(i);
+            points_.store(i, lanes::concentric_map(wedge));
+          });
     }
     for (std::size_t i = 0; i < n; i += kWidth) {
       in.template prefetch<2>(i);

@@ -32,17 +32,15 @@ struct GivenFrame {
   static VNDF_INLINE lanes::XAxis theta_z(std::size_t) { return {}; }
 };
 
-/// Calls f(i, rotation) for the angles of a column. The next one is reduced beside: one after the other, the two steps
-/// are a chain too long for a core to overlap.
+/// Calls f(i, rotation) for the angles of a column.
 template <std::size_t kTheta, class T, std::size_t N, class Function>
 VNDF_INLINE void for_each_rotation(const Inputs<N>& in, std::size_t n, Function f) {
-  auto reduced = lanes::reduce_angle(in.template load<kTheta>(0));
-  for (std::size_t i = 0; i < n; i += kWidth) {
-    in.template prefetch<kTheta>(i);
-    auto rotation = lanes::rotation_of<T>(reduced);
-    reduced = lanes::reduce_angle(in.template load<kTheta>(i + kWidth < n ? i + kWidth : 0));
-    f(i, rotation);
-  }
+  for_each_ahead(
+      n, [&](std::size_t i) { return lanes::reduce_angle(in.template load<kTheta>(i)); },
+      [&](std::size_t i, const lanes::ReducedAngle<F>& theta) {
+        in.template prefetch<kTheta>(i);
+        f(i, lanes::rotation_of<T>(theta));
+      });
 }
 
 template <std::size_t kTheta, std::size_t kLanes, class T>

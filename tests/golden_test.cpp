@@ -135,14 +135,14 @@ TEST_P(GoldenBits, Ellipsoid) {
   vndf::sample_normals(vndf::Warp::polar, kCount, wo, constants, u, out);
   expect("constants", 0x261e0145653b793fu, hash({&x, &y, &z}));
   vndf::sample_reflection(vndf::Warp::concentric, kCount, wo, turned, u, {out, pdf.data(), weight.data()});
-  expect("turned", 0x384848ea84b51337u, hash({&x, &y, &z, &pdf, &weight}));
+  expect("turned", 0xd7ac0e8791ef8a39u, hash({&x, &y, &z, &pdf, &weight}));
   vndf::sample_reflection(vndf::Warp::spherical_cap, kCount, wo, tilted, u, {out, pdf.data(), weight.data()});
-  expect("tilted", 0x046a2ebdbed6636eu, hash({&x, &y, &z, &pdf, &weight}));
+  expect("tilted", 0x5dd06b77000cfcc6u, hash({&x, &y, &z, &pdf, &weight}));
   vndf::evaluate_reflection(kCount, wo, wi, tilted, {weight.data(), pdf.data()});
-  expect("evaluate_reflection", 0xec448eeffb3b47e8u, hash({&weight, &pdf}));
+  expect("evaluate_reflection", 0xf3796b6a5c11a531u, hash({&weight, &pdf}));
   vndf::sample_dielectric(vndf::Warp::polar, kCount, wo, tilted, 1.5f, {u.x, u.y, alpha.x},
                           {out, pdf.data(), weight.data(), side.data()});
-  expect("sample_dielectric", 0x9d1aeee5c2716e81u, hash({&x, &y, &z, &pdf, &weight, &side}));
+  expect("sample_dielectric", 0xb92c971771b3a453u, hash({&x, &y, &z, &pdf, &weight, &side}));
 }
 
 std::vector<const char*> names() {

@@ -28,29 +28,44 @@ VNDF_INLINE DiskPoint<F> polar_map(Vec2<F> u) {
   return {u.x, (F(1.f) - u.x) + F(kRim), sincos2pi(u.y)};
 }
 
-/// Shirley and Chiu 1997, Walter 2015 eq. 34-37: the square's concentric rings become the disk's.
-///
-/// The four wedges differ by signs and by which coordinate is the larger: with a = 2 u1 - 1, b = 2 u2 - 1, r the larger
-/// of |a|, |b| and x the quotient of the smaller and r, the angle from the wedge's axis is pi/4 x. Its sine and cosine
-/// are minimax polynomials in x^2, to 2.8e-8 and 4.4e-10. a, b and 1 - r are exact for every multiple of 2^-24.
+/// Where in the square: a = 2 u1 - 1, b = 2 u2 - 1, r the larger of |a|, |b|, and x the quotient of the smaller and r.
 template <class F>
-VNDF_INLINE DiskPoint<F> concentric_map(Vec2<F> u) {
+struct Wedge {
+  F a, b, r, x;
+};
+template <class F>
+VNDF_INLINE Wedge<F> wedge_of(Vec2<F> u) {
   F a = (u.x + u.x) - F(1.f);
   F b = (u.y + u.y) - F(1.f);
   Int<F> abs_a = op::bits(op::abs(a));
   Int<F> abs_b = op::bits(op::abs(b));
   F r = op::from_bits(op::max(abs_a, abs_b));
   F smaller = op::from_bits(op::min(abs_a, abs_b));
-  F x = smaller / (r + F(kRim));  // 0 at the centre
+  return {a, b, r, smaller / (r + F(kRim))};  // x = 0 at the centre
+}
+
+/// Shirley and Chiu 1997, Walter 2015 eq. 34-37: the square's concentric rings become the disk's.
+///
+/// The four wedges differ by signs and by which coordinate is the larger; the angle from the wedge's axis is pi/4 x.
+/// Its sine and cosine are minimax polynomials in x^2, to 2.8e-8 and 4.4e-10. a, b and 1 - r are exact for every
+/// multiple of 2^-24.
+template <class F>
+VNDF_INLINE DiskPoint<F> concentric_map(const Wedge<F>& w) {
+  F x = w.x;
   F y = x * x;
   F y2 = y * y;
   F cos = (F(0x1p+0f) + y * F(-0x1.3bd3ccp-2f)) +
           y2 * ((F(0x1.03c1b0p-6f) + y * F(-0x1.55b2b6p-12f)) + y2 * F(0x1.d4f7eep-19f));
   F sin = x * ((F(0x1.921fb6p-1f) + y * F(-0x1.4abbcep-4f)) + y2 * (F(0x1.465ba2p-9f) + y * F(-0x1.2c3460p-15f)));
-  auto along_t1 = op::from_bits(abs_a) > op::from_bits(abs_b);
-  return {r * r,
-          ((F(1.f) - r) * (F(1.f) + r)) + F(kRim),
-          {op::with_sign_of(op::select(along_t1, cos, sin), a), op::with_sign_of(op::select(along_t1, sin, cos), b)}};
+  auto along_t1 = op::abs(w.a) > op::abs(w.b);
+  return {
+      w.r * w.r,
+      ((F(1.f) - w.r) * (F(1.f) + w.r)) + F(kRim),
+      {op::with_sign_of(op::select(along_t1, cos, sin), w.a), op::with_sign_of(op::select(along_t1, sin, cos), w.b)}};
+}
+template <class F>
+VNDF_INLINE DiskPoint<F> concentric_map(Vec2<F> u) {
+  return concentric_map(wedge_of(u));
 }
 
 /// (t1, t2).

@@ -77,8 +77,9 @@ template <class T, class F>
 VNDF_INLINE Rotation<F> rotation_of(const ReducedAngle<F>& theta) {
   F x = theta.x;
   F q = x * x;
+  F q2 = q * q;
   F sine = (x * q) * (F(-0x1.55554p-3f) + q * (F(0x1.1105bcp-7f) + q * F(-0x1.98dc1cp-13f)));
-  F cosine = (q * q) * (F(0x1.55554ap-5f) + q * (F(-0x1.6c0c1ap-10f) + q * F(0x1.99e0eep-16f)));
+  F cosine = q2 * ((F(0x1.55554ap-5f) + q * F(-0x1.6c0c1ap-10f)) + q2 * F(0x1.99e0eep-16f));
   SmallAngle<F> small = {x, sine, cosine};
   if constexpr (std::is_same_v<T, Split<F>>) small = {x, theta.x_low + sine, cosine - theta.x_low * x};
   return {small, QuarterTurns<F>(op::bits(theta.turns))};
