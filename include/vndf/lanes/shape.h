@@ -39,7 +39,9 @@ struct Tilted {
 template <class F>
 struct TiltedForCap {
   F xx, xy, yx, yy, zx, zy;
-  Vec2<F> diagonal;  // of the triangle
+  // Of the triangle before it was turned.
+  Vec2<F> diagonal;
+  F triangle_yx;
 };
 
 // Functions of a shape take Vec2 where nothing says which, so that {alpha_x, alpha_y} is a shape.
@@ -85,8 +87,14 @@ template <class F>
 VNDF_INLINE TiltedForCap<F> for_cap(const Tilted<F>& tilted) {
   auto a = narrowed(tilted);
   auto z = a.azimuth;
-  return {
-      z.cos * a.xx + z.sin * a.yx, z.sin * a.yy, z.cos * a.yx - z.sin * a.xx, z.cos * a.yy, a.zx, a.zy, diagonal(a)};
+  return {z.cos * a.xx + z.sin * a.yx,
+          z.sin * a.yy,
+          z.cos * a.yx - z.sin * a.xx,
+          z.cos * a.yy,
+          a.zx,
+          a.zy,
+          diagonal(a),
+          a.yx};
 }
 
 /// Where azimuths begin.
@@ -111,6 +119,16 @@ VNDF_INLINE Vec3<F> stretch(const Vec3<F>& v, const Tilted<F, T>& a) {
 template <class F>
 VNDF_INLINE Vec3<F> stretch(const Vec3<F>& v, const TiltedForCap<F>& a) {
   return {a.xx * v.x + a.xy * v.y, a.yx * v.x + a.yy * v.y, (a.zx * v.x + a.zy * v.y) + v.z};
+}
+
+/// A v up to a rotation about z: for its length and height, with fewer operations.
+template <class F, class Shape>
+VNDF_INLINE Vec3<F> stretch_by_triangle(const Vec3<F>& v, const Shape& shape) {
+  return stretch(v, shape);
+}
+template <class F>
+VNDF_INLINE Vec3<F> stretch_by_triangle(const Vec3<F>& v, const TiltedForCap<F>& a) {
+  return {a.diagonal.x * v.x, a.triangle_yx * v.x + a.diagonal.y * v.y, (a.zx * v.x + a.zy * v.y) + v.z};
 }
 
 /// A^T v, eq. 6.
