@@ -32,8 +32,9 @@ VNDF_INLINE void store(const T& value, float* block, std::size_t i) {
 
 // The memory clobbers keep an iteration's loads and stores, and so what lies between them, inside the markers;
 // constants and the loop counter stay outside.
-#define VNDF_STAGE(name, statement)                               \
+#define VNDF_STAGE_AFTER(name, before, statement)                 \
   void stage_##name(const float* a, const float* b, float* out) { \
+    before;                                                       \
     for (std::size_t i = 0; i < kBlock; i += kWidth<F>) {         \
       __asm__ volatile("# LLVM-MCA-BEGIN " #name : : : "memory"); \
       statement;                                                  \
@@ -41,10 +42,12 @@ VNDF_INLINE void store(const T& value, float* block, std::size_t i) {
     }                                                             \
     (void)b;                                                      \
   }
+#define VNDF_STAGE(name, statement) VNDF_STAGE_AFTER(name, , statement)
 
 extern "C" {
 VNDF_STAGE(polar_map, store(polar_map(load<Vec2<F>>(a, i)), out, i))
-VNDF_STAGE(concentric_map, store(concentric_map(load<Vec2<F>>(a, i)), out, i))
+VNDF_STAGE_AFTER(concentric_map, auto next = wedge_of(load<Vec2<F>>(a, 0)), auto wedge = next;
+                 next = wedge_of(load<Vec2<F>>(a, i + kWidth<F>)); store(concentric_map(wedge), out, i))
 VNDF_STAGE(chord, store(chord(load<DiskPoint<F>>(a, i)), out, i))
 VNDF_STAGE(scale_view, F norm;
            store(scale_view(stretch(load<Vec3<F>>(a, i), load<Vec2<F>>(b, i)), XAxis{}, norm), out, i))
