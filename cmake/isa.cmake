@@ -1,3 +1,18 @@
+# An object of the library that computes with the lanes. Their functions and xsimd's own land in namespaces of this
+# object, so that no linker can mistake its copy of an inline function for one of another set; see check_symbols.cmake.
+function(vndf_lanes_object name source)
+  add_library(vndf_${name} OBJECT ${source})
+  target_link_libraries(vndf_${name} PRIVATE vndf::lanes)
+  # GCC's own AVX-512 header sets off -Wmaybe-uninitialized (its _mm512_undefined_ps reads an uninitialized variable).
+  target_compile_options(vndf_${name} PRIVATE ${vndf_compile_options}
+                         $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+  target_compile_definitions(vndf_${name} PRIVATE VNDF_LANES_BUILD=kernels_${name} xsimd=xsimd_kernels_${name})
+  set_target_properties(vndf_${name} PROPERTIES INTERPROCEDURAL_OPTIMIZATION OFF POSITION_INDEPENDENT_CODE ON)
+  target_sources(vndf PRIVATE $<TARGET_OBJECTS:vndf_${name}>)
+endfunction()
+
+vndf_lanes_object(make_shape src/make_shape.cpp)
+
 # The instruction sets of the library, slowest first: one row each, and nothing else names them.
 #   vndf_isa(name BATCH vector-type [CPU feature...] [FLAGS flag...])
 # CPU: what __builtin_cpu_supports must affirm; GCC's and Clang's run-times ask the operating system as well as the
@@ -8,17 +23,9 @@ function(vndf_isa name)
     return()
   endif()
 
-  add_library(vndf_${name} OBJECT src/kernels.cpp)
-  target_link_libraries(vndf_${name} PRIVATE vndf::lanes)
-  # GCC's own AVX-512 header sets off -Wmaybe-uninitialized (its _mm512_undefined_ps reads an uninitialized variable).
-  target_compile_options(vndf_${name} PRIVATE ${vndf_compile_options} ${row_FLAGS}
-                         $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
-  # The lane functions and xsimd's own land in namespaces of this set, so that no linker can mistake one set's copy of an
-  # inline function for another's; see check_symbols.cmake.
-  target_compile_definitions(vndf_${name} PRIVATE VNDF_BATCH=${row_BATCH} VNDF_TABLE=kernels_${name}
-                             VNDF_LANES_BUILD=kernels_${name} xsimd=xsimd_kernels_${name})
-  set_target_properties(vndf_${name} PROPERTIES INTERPROCEDURAL_OPTIMIZATION OFF POSITION_INDEPENDENT_CODE ON)
-  target_sources(vndf PRIVATE $<TARGET_OBJECTS:vndf_${name}>)
+  vndf_lanes_object(${name} src/kernels.cpp)
+  target_compile_options(vndf_${name} PRIVATE ${row_FLAGS})
+  target_compile_definitions(vndf_${name} PRIVATE VNDF_BATCH=${row_BATCH} VNDF_TABLE=kernels_${name})
 
   set(supported true)
   foreach(feature IN LISTS row_CPU)

@@ -5,7 +5,6 @@
 #include <cstring>
 
 #include "kernel_table.h"
-#include "shape_access.h"
 
 namespace vndf {
 

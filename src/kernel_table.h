@@ -1,4 +1,4 @@
-// The boundary between instruction sets: what kernels.cpp, compiled once for each, gives dispatch.cpp.
+// What dispatch.cpp is given: by kernels.cpp, compiled once for each instruction set, a table; and shapes.
 #pragma once
 
 #include <vndf/ellipsoid.h>
@@ -46,5 +46,8 @@ struct KernelTable {
   ShapeKernels<Ellipsoid> turned;  // theta_x = theta_y = 0
   ShapeKernels<Ellipsoid> tilted;
 };
+
+/// The shape of an ellipsoid of five constants: make_shape.cpp.
+Shape shape_of(const Ellipsoid& constants) noexcept;
 
 }  // namespace vndf

@@ -4,9 +4,11 @@
 
 #include <vndf/lanes/tilted_shape.h>
 
+#include "kernel_table.h"
 #include "shape_access.h"
 
 namespace vndf {
+
 Shape shape_of(const Ellipsoid& constants) noexcept {
   Shape shape;
   ShapeAccess::set(

@@ -20,7 +20,4 @@ struct ShapeAccess {
   }
 };
 
-/// Of an ellipsoid of five constants.
-Shape shape_of(const Ellipsoid& constants) noexcept;
-
 }  // namespace vndf
