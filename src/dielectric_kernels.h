@@ -9,7 +9,7 @@ VNDF_INLINE F eta_facing_up(const Inputs<N>& in, std::size_t i) {
   return lanes::mirrored_eta(in.template load<2>(i) < F(0.f), in.template load<C>(i));
 }
 
-template <Warp warp, class Masked, class Surface = PlainSurface<3>>
+template <Warp warp, class Masked, class Surface>
 class DielectricKernel {
  public:
   static constexpr std::size_t kLanes = kShadingBlock;
@@ -74,15 +74,7 @@ class DielectricKernel {
   StagedForShading<typename Masked::template Light<F>> lights_;
 };
 
-template <Warp warp, Masking masking>
-void sample_dielectric(std::size_t count, const Columns3& wo, const Columns2& alpha, const Column& eta,
-                       const Columns3& u, const DielectricSamples& out) noexcept {
-  DielectricKernel<warp, MaskingOf<masking>> kernel;
-  for_each_block<9, 6>(count, {&wo.x, &wo.y, &wo.z, &alpha.x, &alpha.y, &u.x, &u.y, &eta, &u.z},
-                       {out.wi.x, out.wi.y, out.wi.z, out.pdf, out.weight, out.side}, kernel);
-}
-
-template <class Masked, class Surface = PlainSurface<6>>
+template <class Masked, class Surface>
 class DielectricEvaluation {
  public:
   static constexpr std::size_t kLanes = kShadingBlock;
@@ -121,13 +113,5 @@ class DielectricEvaluation {
   StagedForShading<lanes::Cosines<F>> cosines_;
   StagedForShading<lanes::Crossing<F>> crossings_;
 };
-
-template <Masking masking>
-void evaluate_dielectric(std::size_t count, const Columns3& wo, const Columns3& wi, const Columns2& alpha,
-                         const Column& eta, const Evaluations& out) noexcept {
-  DielectricEvaluation<MaskingOf<masking>> kernel;
-  for_each_block<9, 2>(count, {&wo.x, &wo.y, &wo.z, &wi.x, &wi.y, &wi.z, &alpha.x, &alpha.y, &eta},
-                       {out.f_cos, out.pdf}, kernel);
-}
 
 }  // namespace

@@ -67,9 +67,18 @@ const Implementation& active() noexcept {
 
 }  // namespace
 
+namespace {
+
+const SurfaceKernels<Columns2>& plain(ReflectionOptions options = {}) {
+  const KernelTable& kernels = *active().kernels;
+  return (options.bounded ? kernels.bounded : kernels.plain)[static_cast<int>(options.masking)];
+}
+
+}  // namespace
+
 void sample_normals(Warp warp, std::size_t count, const Columns3& wo, const Columns2& alpha, const Columns2& u,
                     const Out3& wm) noexcept {
-  active().kernels->sample_normals[static_cast<int>(warp)](count, wo, alpha, u, wm);
+  plain().sample_normals[static_cast<int>(warp)](count, wo, alpha, u, wm);
 }
 
 void sample_disk(DiskMap map, std::size_t count, const Columns2& u, const Out2& t) noexcept {
@@ -78,28 +87,27 @@ void sample_disk(DiskMap map, std::size_t count, const Columns2& u, const Out2& 
 
 void sample_reflection(Warp warp, std::size_t count, const Columns3& wo, const Columns2& alpha, const Columns2& u,
                        const ReflectionSamples& out, const ReflectionOptions& options) noexcept {
-  active().kernels->sample_reflection[options.bounded][static_cast<int>(options.masking)][static_cast<int>(warp)](
-      count, wo, alpha, u, out);
+  plain(options).sample_reflection[static_cast<int>(warp)](count, wo, alpha, u, out);
 }
 
 void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& wi, const Columns2& alpha,
                          const Evaluations& out, const ReflectionOptions& options) noexcept {
-  active().kernels->evaluate_reflection[options.bounded][static_cast<int>(options.masking)](count, wo, wi, alpha, out);
+  plain(options).evaluate_reflection(count, wo, wi, alpha, out);
 }
 
 void pdf_normals(std::size_t count, const Columns3& wo, const Columns3& wm, const Columns2& alpha,
                  float* pdf) noexcept {
-  active().kernels->pdf_normals(count, wo, wm, alpha, pdf);
+  plain().pdf_normals(count, wo, wm, alpha, pdf);
 }
 
 void sample_dielectric(Warp warp, std::size_t count, const Columns3& wo, const Columns2& alpha, const Column& eta,
                        const Columns3& u, const DielectricSamples& out, Masking masking) noexcept {
-  active().kernels->sample_dielectric[static_cast<int>(masking)][static_cast<int>(warp)](count, wo, alpha, eta, u, out);
+  plain({masking}).sample_dielectric[static_cast<int>(warp)](count, wo, alpha, eta, u, out);
 }
 
 void evaluate_dielectric(std::size_t count, const Columns3& wo, const Columns3& wi, const Columns2& alpha,
                          const Column& eta, const Evaluations& out, Masking masking) noexcept {
-  active().kernels->evaluate_dielectric[static_cast<int>(masking)](count, wo, wi, alpha, eta, out);
+  plain({masking}).evaluate_dielectric(count, wo, wi, alpha, eta, out);
 }
 
 namespace {
@@ -111,26 +119,13 @@ bool zero(const Column& column) {
   return constant(column) && column.value == 0;
 }
 
-/// Plain GGX with the masking that eq. 6 becomes without theta_x and theta_y.
-ShapeKernels<Columns2> upright(const KernelTable& kernels) {
-  const auto& normals = kernels.sample_normals;
-  const auto& reflection = kernels.sample_reflection[false][static_cast<int>(Masking::separable)];
-  const auto& dielectric = kernels.sample_dielectric[static_cast<int>(Masking::separable)];
-  return {{normals[0], normals[1], normals[2]},
-          {reflection[0], reflection[1], reflection[2]},
-          kernels.evaluate_reflection[false][static_cast<int>(Masking::separable)],
-          kernels.pdf_normals,
-          {dielectric[0], dielectric[1], dielectric[2]},
-          kernels.evaluate_dielectric[static_cast<int>(Masking::separable)]};
-}
-
 /// Calls f(kernels, shape) with the cheapest kernels for the ellipsoid.
 template <class F>
 void with_cheapest(const Ellipsoid& e, F f) {
   const KernelTable& kernels = *active().kernels;
   bool turned = zero(e.theta_x) && zero(e.theta_y);
   if (turned && zero(e.theta_z))
-    f(upright(kernels), e.alpha);
+    f(kernels.plain[static_cast<int>(Masking::separable)], e.alpha);  // what eq. 6 becomes without theta_x and theta_y
   else if (constant(e.alpha.x) && constant(e.alpha.y) && constant(e.theta_x) && constant(e.theta_y) &&
            constant(e.theta_z))
     f(kernels.one_shape, shape_of(e));

@@ -5,9 +5,9 @@
 
 namespace vndf {
 
-/// The functions of ellipsoid.h, for shapes of one kind.
+/// The functions of vndf.h and ellipsoid.h, for surfaces of one kind: S is Columns2, Shape or Ellipsoid.
 template <class S>
-struct ShapeKernels {
+struct SurfaceKernels {
   // [warp]
   void (*sample_normals[3])(std::size_t count, const Columns3& wo, const S& shape, const Columns2& u,
                             const Out3& wm) noexcept;
@@ -24,27 +24,14 @@ struct ShapeKernels {
 };
 
 struct KernelTable {
-  void (*sample_normals[3])(std::size_t count, const Columns3& wo, const Columns2& alpha, const Columns2& u,
-                            const Out3& wm) noexcept;
+  // [map]
   void (*sample_disk[2])(std::size_t count, const Columns2& u, const Out2& t) noexcept;
 
-  // [bounded][masking][warp]
-  void (*sample_reflection[2][2][3])(std::size_t count, const Columns3& wo, const Columns2& alpha, const Columns2& u,
-                                     const ReflectionSamples& out) noexcept;
-  void (*evaluate_reflection[2][2])(std::size_t count, const Columns3& wo, const Columns3& wi, const Columns2& alpha,
-                                    const Evaluations& out) noexcept;
-  void (*pdf_normals)(std::size_t count, const Columns3& wo, const Columns3& wm, const Columns2& alpha,
-                      float* pdf) noexcept;
-
-  // [masking][warp]
-  void (*sample_dielectric[2][3])(std::size_t count, const Columns3& wo, const Columns2& alpha, const Column& eta,
-                                  const Columns3& u, const DielectricSamples& out) noexcept;
-  void (*evaluate_dielectric[2])(std::size_t count, const Columns3& wo, const Columns3& wi, const Columns2& alpha,
-                                 const Column& eta, const Evaluations& out) noexcept;
-
-  ShapeKernels<Shape> one_shape;
-  ShapeKernels<Ellipsoid> turned;  // theta_x = theta_y = 0
-  ShapeKernels<Ellipsoid> tilted;
+  // [masking]; those of bounded sampling differ in reflection alone
+  SurfaceKernels<Columns2> plain[2], bounded[2];
+  SurfaceKernels<Shape> one_shape;
+  SurfaceKernels<Ellipsoid> turned;  // theta_x = theta_y = 0
+  SurfaceKernels<Ellipsoid> tilted;
 };
 
 /// The shape of an ellipsoid of five constants: make_shape.cpp.

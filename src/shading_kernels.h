@@ -75,9 +75,6 @@ template <Warp warp, bool bounded, class View, class Surface>
 using Facets = std::conditional_t<bounded || warp == Warp::spherical_cap, FacetsOnCap<warp, bounded, View, Surface>,
                                   FacetsOnDisk<warp, View, Surface>>;
 
-template <Masking masking>
-using MaskingOf = std::conditional_t<masking == Masking::height_correlated, lanes::HeightCorrelated, lanes::Separable>;
-
 /// A direction that is sampled.
 struct Direction {
   Vec3<F> wi;
@@ -90,7 +87,7 @@ VNDF_INLINE void store_if_wanted(const Outputs<M>& out, std::size_t i, F value) 
 }
 
 /// No output is written before the last stage: it may lie over an input.
-template <Warp warp, bool bounded, class Masked, class Surface = PlainSurface<3>>
+template <Warp warp, bool bounded, class Masked, class Surface>
 class ReflectionKernel {
  public:
   static constexpr std::size_t kLanes = kShadingBlock;
@@ -148,22 +145,13 @@ class ReflectionKernel {
   StagedForShading<lanes::UnitNormal<F>> normals_;
 };
 
-template <Warp warp, bool bounded, Masking masking>
-void sample_reflection(std::size_t count, const Columns3& wo, const Columns2& alpha, const Columns2& u,
-                       const ReflectionSamples& out) noexcept {
-  ReflectionKernel<warp, bounded, MaskingOf<masking>> kernel;
-  for_each_block<7, 9>(count, {&wo.x, &wo.y, &wo.z, &alpha.x, &alpha.y, &u.x, &u.y},
-                       {out.wi.x, out.wi.y, out.wi.z, out.pdf, out.weight, out.wm.x, out.wm.y, out.wm.z, out.wo_dot_wm},
-                       kernel);
-}
-
 /// The light or the normal, second of a pair.
 template <std::size_t N>
 VNDF_INLINE Vec3<F> load_second(const Inputs<N>& in, std::size_t i) {
   return {in.template load<3>(i), in.template load<4>(i), in.template load<5>(i)};
 }
 
-template <bool bounded, class Masked, class Surface = PlainSurface<6>>
+template <bool bounded, class Masked, class Surface>
 class ReflectionEvaluation {
  public:
   static constexpr std::size_t kLanes = kBlock;
@@ -195,15 +183,7 @@ class ReflectionEvaluation {
   Staged<Terms> terms_;
 };
 
-template <bool bounded, Masking masking>
-void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& wi, const Columns2& alpha,
-                         const Evaluations& out) noexcept {
-  ReflectionEvaluation<bounded, MaskingOf<masking>> kernel;
-  for_each_block<8, 2>(count, {&wo.x, &wo.y, &wo.z, &wi.x, &wi.y, &wi.z, &alpha.x, &alpha.y}, {out.f_cos, out.pdf},
-                       kernel);
-}
-
-template <class Surface = PlainSurface<6>>
+template <class Surface>
 class NormalDensity {
  public:
   static constexpr std::size_t kLanes = kBlock;
@@ -221,18 +201,5 @@ class NormalDensity {
  private:
   Staged<lanes::NormalTerms<F>> terms_;
 };
-
-void pdf_normals(std::size_t count, const Columns3& wo, const Columns3& wm, const Columns2& alpha,
-                 float* pdf) noexcept {
-  NormalDensity<> kernel;
-  for_each_block<8, 1>(count, {&wo.x, &wo.y, &wo.z, &wm.x, &wm.y, &wm.z, &alpha.x, &alpha.y}, {pdf}, kernel);
-}
-
-// The warps' kernels of one variant.
-#define VNDF_PER_WARP(function, ...)                                                 \
-  {                                                                                  \
-    ::function<Warp::polar, __VA_ARGS__>, ::function<Warp::concentric, __VA_ARGS__>, \
-        ::function<Warp::spherical_cap, __VA_ARGS__>                                 \
-  }
 
 }  // namespace

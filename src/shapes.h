@@ -223,7 +223,5 @@ struct Surface {
     shape.prepare(in, n);
   }
 };
-template <std::size_t kAlpha>
-using PlainSurface = Surface<GivenFrame, AlphaColumns<kAlpha>>;
 
 }  // namespace

@@ -44,20 +44,22 @@ const Row kRows[] = {
 }  // namespace
 
 namespace vndf {
-#define VNDF_ISA(name, supported)                                                                          \
-  static constexpr char name_of_##name[] = #name;                                                          \
-  extern const KernelTable kernels_##name;                                                                 \
-  const KernelTable kernels_##name = {                                                                     \
-      {note_normals<name_of_##name, 0>, note_normals<name_of_##name, 1>, note_normals<name_of_##name, 2>}, \
-      {note_disk<name_of_##name, 0>, note_disk<name_of_##name, 1>},                                        \
-      {},                                                                                                  \
-      {},                                                                                                  \
-      nullptr,                                                                                             \
-      {},                                                                                                  \
-      {},                                                                                                  \
-      {},                                                                                                  \
-      {},                                                                                                  \
-      {},                                                                                                  \
+#define VNDF_ISA(name, supported)                                                                            \
+  static constexpr char name_of_##name[] = #name;                                                            \
+  extern const KernelTable kernels_##name;                                                                   \
+  const KernelTable kernels_##name = {                                                                       \
+      {note_disk<name_of_##name, 0>, note_disk<name_of_##name, 1>},                                          \
+      {{{note_normals<name_of_##name, 0>, note_normals<name_of_##name, 1>, note_normals<name_of_##name, 2>}, \
+        {},                                                                                                  \
+        {},                                                                                                  \
+        {},                                                                                                  \
+        {},                                                                                                  \
+        {}},                                                                                                 \
+       {}},                                                                                                  \
+      {},                                                                                                    \
+      {},                                                                                                    \
+      {},                                                                                                    \
+      {},                                                                                                    \
   };
 #include "isa_rows.h"
 #undef VNDF_ISA
