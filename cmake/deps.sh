@@ -6,7 +6,7 @@ packages="g++ cmake ninja-build libxsimd-dev libgtest-dev libbenchmark-dev pytho
 if ! command -v apt-get >/dev/null; then
   cat >&2 <<'END'
 This script installs Debian and Ubuntu packages only. Please install, by your system's means:
-  a C++17 compiler (GCC 9 or Clang 10, or newer), CMake 3.25 or newer, Ninja
+  GCC or Clang with C++17 (GCC 12 and Clang 14 are tested), CMake 3.25 or newer, Ninja
   xsimd 8.1 to 14 (header-only)   https://github.com/xtensor-stack/xsimd
   GoogleTest                      https://github.com/google/googletest
   Google Benchmark                https://github.com/google/benchmark

@@ -28,8 +28,9 @@ struct Inputs {
     return vndf::lanes::op::load<F>(column[C] + i);
   }
 
-  /// Asks for what the next block but one will load. A kernel spreads these over its stages: the loops that only
-  /// compute are when the memory would idle, and hardware prefetchers do not see a column that is read in bursts.
+  /// Asks for what will be loaded two blocks on, or four of the shading step's. A kernel spreads these over its stages:
+  /// the loops that only compute are when the memory would idle, and hardware prefetchers do not see a column that is
+  /// read in bursts.
   template <std::size_t... C>
   VNDF_INLINE void prefetch(std::size_t i) const {
     if (i % kCacheLine == 0) (vndf::lanes::op::prefetch(column[C] + i + 2 * kBlock), ...);

@@ -233,5 +233,14 @@ TEST_P(Columns, OneColumnAsSeveralInputs) {
     }
 }
 
+TEST(Column, IsANumberOrAPointer) {
+  const Columns3 wo{0, 0.5, 1.f};
+  EXPECT_EQ(wo.x.data, nullptr);
+  EXPECT_EQ(wo.x.value, 0);
+  EXPECT_EQ(wo.y.value, 0.5f);
+  const float values[] = {1.f};
+  EXPECT_EQ(Column(values).data, values);
+}
+
 }  // namespace
 }  // namespace vndf::testing

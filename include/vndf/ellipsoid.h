@@ -1,7 +1,7 @@
 // The ellipsoid NDF: GGX that is turned about the normal and leans (Walter, Dong, Marschner, Greenberg, The Ellipsoid
 // Normal Distribution Function, supplement to Predicting Surface Appearance from Measured Microgeometry of Metal
-// Surfaces, 2014, revised 2016). The functions of vndf.h with a shape in place of alpha; conventions and guarantees are
-// those stated there.
+// Surfaces, 2014, revised 2016; cited as Walter et al. 2015). The functions of vndf.h with a shape in place of alpha;
+// conventions and guarantees are those stated there.
 #pragma once
 
 #include <vndf/vndf.h>

@@ -5,34 +5,38 @@
 // alpha_y. wo points away from the surface, towards the viewer. All values are binary32.
 //
 // Guarantees, of every function that takes columns:
-//  - Identical bits: scalar, SSE4.2, AVX2 and AVX-512 agree in every bit of every result that is not NaN, and have NaN
-//  in
-//    the same places. Only + - * / sqrt, comparisons and bit operations are used, each rounded as IEEE 754 says, so any
-//    other IEEE 754 machine agrees too. The caller's rounding mode must be to-nearest; with FTZ or DAZ set, the sets
-//    still agree with each other.
+//  - Identical bits: scalar, SSE4.2, AVX2 and AVX-512 agree in every bit of every result that is not NaN, and have
+//    NaN in the same places. Only + - * / sqrt, comparisons and bit operations are used, each rounded as IEEE 754 says,
+//    so any other IEEE 754 machine agrees too. The caller's rounding mode must be to-nearest; with FTZ or DAZ set, the
+//    sets still agree with each other.
 //  - Lanes are independent: a result depends on the inputs of its own index alone, not on how a batch is split, where
 //    it starts, or what its neighbours are.
-//  - noexcept, no allocation, no locks, no floating-point exceptions trapped, and no global state but the choice of the
-//    instruction set: callable from any number of threads at once.
+//  - noexcept, no allocation, no locks, and no global state but the choice of the instruction set: callable from any
+//    number of threads at once. Floating-point exceptions must be masked, as they are unless a program asks for traps:
+//    both sides of a choice are computed, so their flags may be raised for good inputs too.
 //  - Any count including 0, any alignment that a float may have (64 bytes is fastest), nothing written outside
 //    [0, count) of an output.
 //  - Aliasing: an output may be the same column as an input of the same call (in place), since every input of an index
-//  is
-//    read before its outputs are written. Outputs must not overlap one another, nor an input at another offset.
+//    is read before its outputs are written. Outputs must not overlap one another, nor an input at another offset.
+//  - Every output is written, and none may be a null pointer but those that ReflectionSamples says.
 #pragma once
 
 #include <cstddef>
+#include <type_traits>
 
 namespace vndf {
 
 /// An input column: `count` floats, or one value for the whole batch (a material's alpha, a directional camera). The
-/// two give the same bits as each other; a constant saves the reads. The floats must outlive the call only.
+/// two give the same bits as each other, but for the angles of an Ellipsoid; a constant saves the reads. The floats
+/// must outlive the call only. A null pointer is the constant 0.
 struct Column {
   const float* data;  ///< `count` floats, or a null pointer for a constant
   float value;        ///< the constant, where data is null
 
   constexpr Column(const float* column) noexcept : data(column), value(0.f) {}
-  constexpr Column(float constant) noexcept : data(nullptr), value(constant) {}
+  /// Any arithmetic type, so that {0, 0, 1} is a direction and 0 not a pointer.
+  template <class T, class = std::enable_if_t<std::is_arithmetic<T>::value>>
+  constexpr Column(T constant) noexcept : data(nullptr), value(static_cast<float>(constant)) {}
 };
 
 /// Two columns: a pair of random numbers, or alpha_x and alpha_y.
@@ -76,13 +80,13 @@ enum class DiskMap { polar, concentric };
 ///
 /// Largest error: the Euclidean distance from the exact normal of the same inputs, in units of 2^-24, over 2^20 samples
 /// of each of 25 hard cases (tests/accuracy_test.cpp): near-normal, grazing and horizontal views, views below the
-/// horizon, the rim of the disk, alpha from 1e-6 to 1, any anisotropy, any length of wo.
+/// horizon, the rim of the disk, alpha from 1e-6 to 1 and up to four decades apart, wo from 1e-20 to 1e20 long.
 ///  - polar, concentric: bound 40, measured 32; p99.9 bound 8, measured 4.7; mean bound 1.2, measured 0.98. The one
 ///    exception is a view below the horizon along the axis of an alpha that is decades below the other, where rounding
 ///    wo and alpha alone moves the exact normal by hundreds; the bound there is twice what it moves it. The slope
 ///    wm.xy / wm.z is within 1e-3 alpha up to slopes of 1000 alpha, beyond that relatively. For alpha from 1 to 100
 ///    the bound is 200, measured 103.
-///  - spherical_cap: mean 0.2 to 1.2 and p99.9 up to 22 in most cases, but single samples reach 3e3, for u2 within
+///  - spherical_cap: mean 0.2 to 1.2 and p99.9 up to 22 in most cases, but single samples reach 1e4, for u2 within
 ///    64 x 2^-24 of 1 even 3e5 (p99.9 440): the half vector is a sum, which cancels where the sampled direction is
 ///    nearly opposite to the view.
 ///  - the norm of every result is within 5 of 1, measured 3.0.
@@ -90,6 +94,7 @@ enum class DiskMap { polar, concentric };
 /// Special values, each confined to its own lane:
 ///  - wo = (0, 0, -1): no normal is visible; some unit normal of the upper hemisphere.
 ///  - wo = 0: as a horizontal view along x.
+///  - the tangent of A wo below 2^-32 (polar, concentric): taken as 2^-32, which moves no normal by more than that.
 ///  - azimuth (alpha_x wo.x, alpha_y wo.y) below 2^-100 in both components (polar, concentric): taken as +x.
 ///  - alpha = 0: the limit of a mirror, (0, 0, 1), unless wo is horizontal.
 ///  - negative alpha: as its absolute value, with the normal mirrored in that axis.
@@ -155,8 +160,8 @@ struct ReflectionSamples {
 ///
 /// Error, in eps = 2^-24, measured on 2^18 samples of each hard case of the tests with alpha <= 1, against their
 /// papers' plain formulas in long double and quadruple precision, polar and concentric: wi 34 (Euclidean), 10 for
-/// wo.wm; pdf 35 relative, times 1 + max(alpha) |A^-1 wm| / 2 for unequal or large alpha; weight 7 relative, times 1
-/// plus the quotient of the terms of wi.z and wi.z itself. p99.9 of pdf is 21. For spherical_cap: wi 320, pdf 680,
+/// wo.wm; pdf 35 relative, times 1 + max(alpha) |A^-1 wm|; weight 7 relative, times 1 plus the quotient of the terms
+/// of wi.z and wi.z itself. p99.9 of pdf is 21. For spherical_cap: wi 320, pdf 680,
 /// p99.9 17: it loses digits where wm is nearly perpendicular to wo. pdf agrees with evaluate_reflection for the
 /// rounded wi within 16 eps (4 + 2 / alpha) where wo.wm >= 1/4, and 4 eps (4 + 2 / alpha) / (wo.wm) anywhere.
 ///
@@ -207,7 +212,7 @@ void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& 
 /// pdf     density of wm over solid angle; 0 where wm.z < 0 or wo.wm <= 0.
 ///
 /// Error: relative 25 eps / (wo.wm), on the hard cases, wo.wm being a sum of products of what is given. The integral
-/// over all wm is 1 within 1e-6.
+/// over all wm is 1 within 1e-5.
 ///
 /// NaN or infinity in any input of a lane: unspecified values or NaN in that lane.
 void pdf_normals(std::size_t count, const Columns3& wo, const Columns3& wm, const Columns2& alpha, float* pdf) noexcept;

@@ -150,7 +150,8 @@ struct DielectricSample {
   F side;
 };
 
-/// For a view that has been turned to the upper hemisphere, with its facet and eta.
+/// For a view and its eta that have been turned to the upper hemisphere, see `mirrored`, with its facet; wi is to be
+/// turned back. The shape is as for sample_reflection.
 template <class Masking, class F, class Shape = Vec2<F>>
 VNDF_INLINE DielectricSample<F> sample_dielectric(const Vec3<F>& wo, const Shape& shape, const Facet<F>& facet, F eta,
                                                   F u) {

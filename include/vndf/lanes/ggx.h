@@ -76,21 +76,6 @@ VNDF_INLINE F smith_g1(const Vec3<F>& v, const Vec2<F>& alpha) {
   return op::select(v.z > F(0.f), (v.z + v.z) / (stretched_length(v, alpha) + v.z), F(0.f));
 }
 
-/// G2(v, l) = 1 / (1 + Lambda(v) + Lambda(l)), height-correlated (Heitz 2014, eq. 99); 0 where either is not above the
-/// horizon.
-template <class F>
-VNDF_INLINE F smith_g2_correlated(const Vec3<F>& v, const Vec3<F>& l, const Vec2<F>& alpha) {
-  F area = stretched_length(v, alpha) * l.z + stretched_length(l, alpha) * v.z;
-  F g2 = ((v.z + v.z) * l.z) / area;
-  return op::select(v.z > F(0.f), op::select(l.z > F(0.f), g2, F(0.f)), F(0.f));
-}
-
-/// G2(v, l) = G1(v) G1(l), separable.
-template <class F>
-VNDF_INLINE F smith_g2_separable(const Vec3<F>& v, const Vec3<F>& l, const Vec2<F>& alpha) {
-  return smith_g1(v, alpha) * smith_g1(l, alpha);
-}
-
 /// Of a view and a normal, what comes before the divisions of their density.
 template <class F>
 struct NormalTerms {

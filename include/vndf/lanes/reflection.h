@@ -112,6 +112,29 @@ VNDF_INLINE Facet<F> facet_of(const Vec3<F>& nh, const BoundedCapToReflect<F>& v
   return facet_of(nh, view.bounded);
 }
 
+/// Facets of the three warps, what sample_reflection below takes: `t` is chord(polar_map(u)) or
+/// chord(concentric_map(u)).
+template <class F, class Shape = Vec2<F>>
+VNDF_INLINE Facet<F> facet_on_chord(const Vec3<F>& wo, const Shape& shape, const Chord<F>& t) {
+  Vec3<F> h = stretch(wo, shape);
+  F length;
+  auto view = scale_view(h, azimuth_of(shape), length);
+  auto elevation = elevation_of(view);
+  F area = kUpright<Shape> ? length + wo.z : lune_area(length, h.z, elevation.one_plus_z);
+  return facet_of(sample_on_chord(hemisphere_view(view, elevation), length, t), length, area);
+}
+template <class F, class Shape = Vec2<F>>
+VNDF_INLINE Facet<F> facet_on_cap(const Vec3<F>& wo, const Shape& shape, Vec2<F> u) {
+  auto view = visible_cap_to_reflect(wo, for_cap(shape));
+  return facet_of(sample_on_cap(view, u.y, F(1.f) - u.y, sincos2pi(u.x)), view);
+}
+/// Eto and Tokuyoshi 2023.
+template <class F>
+VNDF_INLINE Facet<F> facet_on_bounded_cap(const Vec3<F>& wo, const Vec2<F>& alpha, Vec2<F> u) {
+  auto view = bounded_cap_to_reflect(wo, alpha);
+  return facet_of(sample_on_cap(view, u.y, F(1.f) - u.y, sincos2pi(u.x)), view);
+}
+
 /// The normal in the ellipsoid configuration, not normalised: p = c A^T Nh = c |A^T Nh| wm.
 template <class F>
 struct Normal {
@@ -211,7 +234,7 @@ struct ReflectionSample {
   F pdf, weight;
 };
 
-/// From a facet: reflect, density, weight.
+/// From a facet: reflect, density, weight. The shape is the one that the facet was sampled with, narrowed, or for_cap.
 template <class Masking, class F, class Shape = Vec2<F>>
 VNDF_INLINE ReflectionSample<F> sample_reflection(const Vec3<F>& wo, const Shape& shape, const Facet<F>& facet) {
   auto normal = normal_of(facet, shape);

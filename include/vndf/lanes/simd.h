@@ -11,6 +11,10 @@
 #error "vndf promises identical bits on every instruction set: compile without -ffast-math"
 #endif
 
+#if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0 && __FLT_EVAL_METHOD__ != 16
+#error "vndf promises identical bits everywhere: compile for arithmetic in float, on x86 with -mfpmath=sse"
+#endif
+
 #include <cstdint>
 #include <cstring>
 #include <xsimd/xsimd.hpp>

@@ -1,0 +1,150 @@
+// The lane functions of the shading step give the bits of the batch functions, for float and for a vector of the set
+// that the test is compiled for: plain GGX, and shapes that lean.
+#include <gtest/gtest.h>
+
+#include <vndf/ellipsoid.h>
+#include <vndf/lanes.h>
+
+#include "reference/random.h"
+#include "shading/inputs.h"
+#include "support/bits.h"
+
+namespace vndf::shading {
+namespace {
+
+using testing::same_bits;
+using testing::Table;
+
+constexpr std::size_t kCount = 1 << 12;
+
+Table random_inputs() {
+  reference::Random random(3);
+  Table in(12, std::vector<float>(kCount));
+  for (std::size_t i = 0; i < kCount; ++i)
+    for (std::size_t c = 0; c < in.size(); ++c) {
+      bool alpha = c == 6 || c == 7, eta = c == 11;
+      in[c][i] = alpha ? float(random.log_uniform(1e-3, 1))
+                 : eta ? float(random.uniform(0.4, 2.5))
+                       : (c < 6 ? float(random.uniform(-1, 1)) : random.unit());
+    }
+  return in;
+}
+
+template <class F>
+class Lanes {
+ public:
+  template <class Masked>
+  void expect_bits_of_plain_ggx(Masking masking) {
+    const Columns2 alpha{column(6), column(7)}, u{column(8), column(9)};
+    for (Warp warp : kWarps)
+      for (bool bounded : {false, true}) {
+        if (bounded && warp != Warp::spherical_cap) continue;
+        ReflectionOptions options{masking, bounded};
+        sample_reflection(warp, kCount, wo(), alpha, u, {{out(0), out(1), out(2)}, out(3), out(4)}, options);
+        each([&](const V& wo, const V&, const A& alpha, const A& u, F, F) {
+          auto facet = bounded ? lanes::facet_on_bounded_cap(wo, alpha, u) : facet_of(warp, wo, alpha, u);
+          return lanes::sample_reflection<Masked>(wo, alpha, facet);
+        });
+        EXPECT_TRUE(same_bits(batch_, lane_)) << "reflection " << int(warp) << " bounded " << bounded;
+      }
+    for (bool bounded : {false, true}) {
+      evaluate_reflection(kCount, wo(), wi(), alpha, {out(0), out(1)}, {masking, bounded});
+      each([&](const V& wo, const V& wi, const A& alpha, const A&, F, F) {
+        return bounded ? lanes::evaluate_reflection_bounded<Masked>(wo, wi, alpha)
+                       : lanes::evaluate_reflection<Masked>(wo, wi, alpha);
+      });
+      EXPECT_TRUE(same_bits(batch_, lane_)) << "evaluation, bounded " << bounded;
+    }
+    for (Warp warp : kWarps) {
+      sample_dielectric(warp, kCount, wo(), alpha, column(11), {u.x, u.y, column(10)},
+                        {{out(0), out(1), out(2)}, out(3), out(4), out(5)}, masking);
+      each([&](const V& wo, const V&, const A& alpha, const A& u, F u3, F eta) {
+        auto below = wo.z < F(0.f);
+        V view = lanes::mirrored(below, wo);
+        auto sample = lanes::sample_dielectric<Masked>(view, alpha, facet_of(warp, view, alpha, u),
+                                                       lanes::mirrored_eta(below, eta), u3);
+        sample.wi = lanes::mirrored(below, sample.wi);
+        return sample;
+      });
+      EXPECT_TRUE(same_bits(batch_, lane_)) << "dielectric " << int(warp);
+    }
+    evaluate_dielectric(kCount, wo(), wi(), alpha, column(11), {out(0), out(1)}, masking);
+    each([&](const V& wo, const V& wi, const A& alpha, const A&, F, F eta) {
+      auto below = wo.z < F(0.f);
+      return lanes::evaluate_dielectric<Masked>(lanes::mirrored(below, wo), lanes::mirrored(below, wi), alpha,
+                                                lanes::mirrored_eta(below, eta));
+    });
+    EXPECT_TRUE(same_bits(batch_, lane_)) << "evaluation of the dielectric";
+    pdf_normals(kCount, wo(), wi(), alpha, out(0));
+    each([&](const V& wo, const V& wm, const A& alpha, const A&, F, F) {
+      return lanes::visible_normal_pdf(wo, wm, alpha);
+    });
+    EXPECT_TRUE(same_bits(batch_, lane_)) << "density of normals";
+  }
+
+  void expect_bits_of_ellipsoids() {
+    const Ellipsoid ellipsoid({column(6), column(7)}, column(3), column(4), column(5));
+    auto shape = [](const V& theta, const A& alpha) { return lanes::tilted_shape(alpha, theta.x, theta.y, theta.z); };
+    for (Warp warp : kWarps) {
+      sample_reflection(warp, kCount, wo(), ellipsoid, {column(8), column(9)},
+                        {{out(0), out(1), out(2)}, out(3), out(4)});
+      each([&](const V& wo, const V& theta, const A& alpha, const A& u, F, F) {
+        auto a = shape(theta, alpha);
+        auto facet = facet_of(warp, wo, a, u);
+        return warp == Warp::spherical_cap ? lanes::sample_reflection<lanes::Lunes>(wo, for_cap(a), facet)
+                                           : lanes::sample_reflection<lanes::Lunes>(wo, narrowed(a), facet);
+      });
+      EXPECT_TRUE(same_bits(batch_, lane_)) << "ellipsoids " << int(warp);
+    }
+  }
+
+ private:
+  using V = lanes::Vec3<F>;
+  using A = lanes::Vec2<F>;
+
+  const float* column(std::size_t c) const { return in_[c].data(); }
+  float* out(std::size_t c) { return batch_[c].data(); }
+  Columns3 wo() const { return {column(0), column(1), column(2)}; }
+  Columns3 wi() const { return {column(3), column(4), column(5)}; }
+
+  template <class Shape>
+  static lanes::Facet<F> facet_of(Warp warp, const V& wo, const Shape& shape, const A& u) {
+    return warp == Warp::polar        ? lanes::facet_on_chord(wo, shape, chord(lanes::polar_map(u)))
+           : warp == Warp::concentric ? lanes::facet_on_chord(wo, shape, chord(lanes::concentric_map(u)))
+                                      : lanes::facet_on_cap(wo, shape, u);
+  }
+
+  /// Stores the members of f's result, in order, and takes the other columns as they are.
+  template <class Function>
+  void each(Function f) {
+    lane_ = batch_;
+    for (std::size_t i = 0; i < kCount; i += lanes::kWidth<F>) {
+      auto load = [&](std::size_t c) { return lanes::op::load<F>(column(c) + i); };
+      auto result = f(V{load(0), load(1), load(2)}, V{load(3), load(4), load(5)}, A{load(6), load(7)},
+                      A{load(8), load(9)}, load(10), load(11));
+      F members[sizeof result / sizeof(F)];
+      std::memcpy(members, &result, sizeof result);
+      for (std::size_t c = 0; c < std::size(members); ++c) lanes::op::store(members[c], lane_[c].data() + i);
+    }
+  }
+
+  Table in_ = random_inputs();  // wo, wi, alpha, u, eta
+  Table batch_{6, std::vector<float>(kCount)}, lane_ = batch_;
+};
+
+template <class F>
+void expect_bits() {
+  Lanes<F> test;
+  test.template expect_bits_of_plain_ggx<lanes::HeightCorrelated>(Masking::height_correlated);
+  test.template expect_bits_of_plain_ggx<lanes::Separable>(Masking::separable);
+  test.expect_bits_of_ellipsoids();
+}
+TEST(ShadingLanes, Float) {
+  expect_bits<float>();
+}
+TEST(ShadingLanes, Batch) {
+  expect_bits<xsimd::batch<float>>();
+}
+
+}  // namespace
+}  // namespace vndf::shading
