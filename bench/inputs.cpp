@@ -118,11 +118,26 @@ double roughness_texture(double s, double t) {
   return std::pow(0.001, 0.5 - pattern / 5.0);
 }
 
-void fill_random_numbers(const Batch& batch, std::uint64_t seed) {
-  Random random(seed);
+constexpr double kPi = 3.141592653589793;
+
+/// A direction uniform over the upper hemisphere.
+void fill_direction(float* const columns[3], std::size_t i, Random& random) {
+  double z = random.u();
+  double phi = 2 * kPi * random.u();
+  double radius = std::sqrt(1 - z * z);
+  columns[0][i] = static_cast<float>(radius * std::cos(phi));
+  columns[1][i] = static_cast<float>(radius * std::sin(phi));
+  columns[2][i] = static_cast<float>(z);
+}
+
+/// All but the views and alpha: random numbers, angles in [-pi, pi], directions of light.
+void fill_rest(const Batch& batch, std::uint64_t seed) {
+  Random random(seed), besides(seed + 100);
   for (std::size_t i = 0; i < batch.count; ++i) {
-    batch.in[5][i] = random.u();
-    batch.in[6][i] = random.u();
+    for (int c : {5, 6}) batch.in[c][i] = random.u();
+    batch.in[7][i] = besides.u();
+    for (int c : {8, 9, 10}) batch.in[c][i] = static_cast<float>(kPi * (2 * besides.u() - 1));
+    fill_direction(&batch.in[11], i, besides);
   }
 }
 
@@ -176,23 +191,17 @@ void fill_camera(const Batch& batch) {
         batch.in[4][i] = static_cast<float>(alpha_y);
         ++i;
       }
-  fill_random_numbers(batch, 2);
+  fill_rest(batch, 2);
 }
 
 void fill_uniform(const Batch& batch) {
-  constexpr double kTwoPi = 6.283185307179586;
   Random random(3);
   for (std::size_t i = 0; i < batch.count; ++i) {
-    double z = random.u();
-    double phi = kTwoPi * random.u();
-    double radius = std::sqrt(1 - z * z);
-    batch.in[0][i] = static_cast<float>(radius * std::cos(phi));
-    batch.in[1][i] = static_cast<float>(radius * std::sin(phi));
-    batch.in[2][i] = static_cast<float>(z);
+    fill_direction(&batch.in[0], i, random);
     batch.in[3][i] = static_cast<float>(std::pow(0.01, random.u()));
     batch.in[4][i] = static_cast<float>(std::pow(0.01, random.u()));
   }
-  fill_random_numbers(batch, 4);
+  fill_rest(batch, 4);
 }
 
 Batch make_batch(const std::string& input, std::size_t count) {

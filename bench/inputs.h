@@ -8,7 +8,9 @@
 
 namespace bench {
 
-constexpr std::size_t kInputs = 7;   // wo.x, wo.y, wo.z, alpha_x, alpha_y, u1, u2
+// wo.x, wo.y, wo.z, alpha_x, alpha_y, u1, u2; what some operations read besides: u3, theta_x, theta_y, theta_z, and
+// directions of light
+constexpr std::size_t kInputs = 14;
 constexpr std::size_t kOutputs = 8;  // wm.x, wm.y, wm.z, wi.x, wi.y, wi.z, pdf, weight
 
 /// The columns of one batch, in the order of the constants above. `arena` owns the floats.

@@ -78,6 +78,9 @@ vndf::Columns2 alpha(const bench::Batch& b) {
 vndf::Columns2 u(const bench::Batch& b) {
   return {b.in[5], b.in[6]};
 }
+vndf::Columns3 light(const bench::Batch& b) {
+  return {b.in[11], b.in[12], b.in[13]};
+}
 vndf::Out3 wm(const bench::Batch& b) {
   return {b.out[0], b.out[1], b.out[2]};
 }
@@ -89,7 +92,7 @@ Call sample_normals(vndf::Warp warp) {
   return [warp](const bench::Batch& b) { vndf::sample_normals(warp, b.count, wo(b), alpha(b), u(b), wm(b)); };
 }
 
-// Ellipsoids: five constants, theta_z per lane, five columns. The angles are random numbers, whatever they are.
+// Ellipsoids: five constants, theta_z per lane, five columns.
 struct EllipsoidKind {
   const char* name;
   int columns;  // read
@@ -100,8 +103,8 @@ constexpr EllipsoidKind kEllipsoids[] = {
      [](const bench::Batch&) {
        return vndf::Ellipsoid({0.2f, 0.5f}, 0.3f, -0.2f, 0.5f);
      }},
-    {"turned", 3, [](const bench::Batch& b) { return vndf::Ellipsoid(alpha(b), 0.f, 0.f, b.in[5]); }},
-    {"tilted", 5, [](const bench::Batch& b) { return vndf::Ellipsoid(alpha(b), b.in[5], b.in[6], b.in[5]); }},
+    {"turned", 3, [](const bench::Batch& b) { return vndf::Ellipsoid(alpha(b), 0.f, 0.f, b.in[10]); }},
+    {"tilted", 5, [](const bench::Batch& b) { return vndf::Ellipsoid(alpha(b), b.in[8], b.in[9], b.in[10]); }},
 };
 Call sample_normals(vndf::Warp warp, const EllipsoidKind& kind) {
   return [=](const bench::Batch& b) { vndf::sample_normals(warp, b.count, wo(b), kind.of(b), u(b), wm(b)); };
@@ -124,7 +127,8 @@ Call sample_reflection(vndf::Warp warp, bool bounded = false) {
   };
 }
 
-/// What sample_reflection does, in three calls: normals, reflected directions, their density and weight.
+/// What sample_reflection does, in three passes: normals, reflected directions, their density and weight. The loops of
+/// this file are compiled for the baseline of the processor's architecture.
 Call separate_reflection(vndf::Warp warp) {
   return [warp](const bench::Batch& b) {
     vndf::sample_normals(warp, b.count, wo(b), alpha(b), u(b), wm(b));
@@ -137,33 +141,30 @@ Call separate_reflection(vndf::Warp warp) {
   };
 }
 
-// The evaluations take the view, turned, as the second direction.
 Call evaluate_reflection() {
   return [](const bench::Batch& b) {
-    vndf::evaluate_reflection(b.count, wo(b), {b.in[1], b.in[0], b.in[2]}, alpha(b), {b.out[6], b.out[7]});
+    vndf::evaluate_reflection(b.count, wo(b), light(b), alpha(b), {b.out[6], b.out[7]});
   };
 }
 Call evaluate_reflection(const EllipsoidKind& kind) {
   return [=](const bench::Batch& b) {
-    vndf::evaluate_reflection(b.count, wo(b), {b.in[1], b.in[0], b.in[2]}, kind.of(b), {b.out[6], b.out[7]});
+    vndf::evaluate_reflection(b.count, wo(b), light(b), kind.of(b), {b.out[6], b.out[7]});
   };
 }
 Call pdf_normals() {
-  return [](const bench::Batch& b) {
-    vndf::pdf_normals(b.count, wo(b), {b.in[1], b.in[0], b.in[2]}, alpha(b), b.out[6]);
-  };
+  return [](const bench::Batch& b) { vndf::pdf_normals(b.count, wo(b), light(b), alpha(b), b.out[6]); };
 }
 
 constexpr float kEta = 1.5f;
 Call sample_dielectric(vndf::Warp warp) {
   return [warp](const bench::Batch& b) {
-    vndf::sample_dielectric(warp, b.count, wo(b), alpha(b), kEta, {b.in[5], b.in[6], b.in[5]},
+    vndf::sample_dielectric(warp, b.count, wo(b), alpha(b), kEta, {b.in[5], b.in[6], b.in[7]},
                             {wi(b), b.out[6], b.out[7], b.out[0]});
   };
 }
 Call evaluate_dielectric() {
   return [](const bench::Batch& b) {
-    vndf::evaluate_dielectric(b.count, wo(b), {b.in[1], b.in[0], b.in[2]}, alpha(b), kEta, {b.out[6], b.out[7]});
+    vndf::evaluate_dielectric(b.count, wo(b), light(b), alpha(b), kEta, {b.out[6], b.out[7]});
   };
 }
 
