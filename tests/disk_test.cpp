@@ -19,7 +19,7 @@ struct Largest {
   float u[2] = {};
 
   void see(double e, float u1, float u2 = 0) {
-    if (!(e <= error)) *this = {e, {u1, u2}};
+    if (reference::keep_larger(error, e)) u[0] = u1, u[1] = u2;
   }
 };
 std::ostream& operator<<(std::ostream& out, const Largest& largest) {

@@ -9,12 +9,17 @@
 #include <vndf/lanes.h>
 
 #include "ellipsoid/cases.h"
+#include "reference/errors.h"
+#include "support/bits.h"
 
 namespace vndf::ellipsoid {
 namespace {
 
 using reference::Inputs;
-constexpr double kEps = 0x1p-24;
+using reference::keep_larger;
+using reference::kEps;
+using testing::same_bits;
+using testing::Table;
 
 // |theta| <= pi.
 TEST(Angle, Accuracy) {
@@ -22,8 +27,8 @@ TEST(Angle, Accuracy) {
   for (int i = -2000000; i <= 2000000; ++i) {
     float theta = float(double(i) / 2000000 * kPi<double>);
     auto angle = lanes::angle_of<double>(theta);
-    worst = std::max(worst, std::hypot(angle.cos - std::cos(double(theta)), angle.sin - std::sin(double(theta))));
-    worst_length = std::max(worst_length, std::fabs(std::hypot(angle.cos, angle.sin) - 1));
+    keep_larger(worst, std::hypot(angle.cos - std::cos(double(theta)), angle.sin - std::sin(double(theta))));
+    keep_larger(worst_length, std::fabs(std::hypot(angle.cos, angle.sin) - 1));
   }
   std::printf("angle: %.3f eps, length %.3f\n", worst / kEps, worst_length / kEps);
   EXPECT_LE(worst, 0.5 * kEps);
@@ -90,18 +95,17 @@ TEST_P(Accuracy, Normals) {
   double over_conditioning = 0, unexcused = 0, opposite = 0;
   Bounds bound = bounds(warp, c);
   for (std::size_t i = 0; i < kCount; ++i) {
-    double error = distance(wm.at(i), exact_normal(warp, in, theta, i)) / kEps;
-    errors[i] = error;
+    double error = errors[i] = reference::or_infinite(distance(wm.at(i), exact_normal(warp, in, theta, i)) / kEps);
     auto a = matrix<double>(parameters(in, theta, i));
     V3<double> psi{in.wo_x[i], in.wo_y[i], in.wo_z[i]};
-    if (dot(direction(a * psi), direction(a.c3)) < -0.999) opposite = std::max(opposite, error);
+    if (dot(direction(a * psi), direction(a.c3)) < -0.999) keep_larger(opposite, error);
     if (error <= 10) continue;
     double moved = conditioning(warp, in, theta, i) / kEps;
-    over_conditioning = std::max(over_conditioning, error / (1 + moved));
+    keep_larger(over_conditioning, error / (1 + moved));
     // On the rim itself, u = 0, plain GGX has 2^-26 / alpha too: what keeps its e above 0.
     bool on_rim = in.u_x[i] == 0 || in.u_y[i] == 0;
     double rim = on_rim ? 0.25 / std::min(in.alpha_x[i], in.alpha_y[i]) : 0;
-    if (error > std::max(2 * moved, rim)) unexcused = std::max(unexcused, error);
+    if (!(error <= std::max(2 * moved, rim))) keep_larger(unexcused, error);
   }
   double mean = 0;
   for (double e : errors) mean += e / double(kCount);
@@ -139,8 +143,7 @@ TEST(Densities, Accuracy) {
       pdf_normals(kCount, in.wo(), s.wm.in(), e, pdf.data());
       struct {
         const char* what;
-        double bound;
-        R worst;
+        double bound, worst;
       } rows[] = {{"pdf of normals", 1, 0}, {"evaluated pdf", 1, 0}, {"f cos", 1, 0}, {"weight", 0.5, 0}};
       for (std::size_t i = 0; i < kCount; ++i) {
         V3<R> wo{in.wo_x[i], in.wo_y[i], in.wo_z[i]}, wm = s.wm.at<R>(i), wi = s.wi.at<R>(i);
@@ -149,11 +152,11 @@ TEST(Densities, Accuracy) {
         auto [smaller, larger] = std::minmax(in.alpha_x[i], in.alpha_y[i]);
         R unit = std::fmax(R(25), larger <= 1 ? 4 + 2 / R(smaller) : 12 + 6 * R(larger) / std::fmin(R(1), R(smaller))) *
                  R(kEps);
-        auto keep = [&](int k, R error) { rows[k].worst = std::max(rows[k].worst, std::fabs(error) / unit); };
+        auto keep = [&](int k, R error) { keep_larger(rows[k].worst, double(std::fabs(error) / unit)); };
         // The library's density is homogeneous in wm but for the cosine.
         R length = std::sqrt(dot(wm, wm)), cos = dot(wo, wm);
-        if (cos > 1e-6L) keep(0, (pdf[i] / (normal_pdf(wo, (1 / length) * wm, a) * length) - 1) * cos);
-        if (!(s.pdf[i] > 0)) continue;
+        if (!(cos <= 1e-6L)) keep(0, (pdf[i] / (normal_pdf(wo, (1 / length) * wm, a) * length) - 1) * cos);
+        if (s.pdf[i] <= 0) continue;
         V3<R> h = direction(wo + wi);
         R exact = ndf(h, a) * ellipsoid_area(V3<R>{0, 0, 1}, a) / (4 * lune_area(wo, a));
         R f = ndf(h, a) * g1(wo, a) * g1(wi, a) / (4 * wo.z);
@@ -162,7 +165,7 @@ TEST(Densities, Accuracy) {
         keep(3, s.weight[i] / (f / exact) - 1);
       }
       for (const auto& row : rows)
-        EXPECT_LE(double(row.worst), row.bound) << row.what << ", " << kWarpNames[int(warp)] << " " << c.inputs.name;
+        EXPECT_LE(row.worst, row.bound) << row.what << ", " << kWarpNames[int(warp)] << " " << c.inputs.name;
     }
 }
 
@@ -184,7 +187,7 @@ struct Batch {
 };
 
 // theta = 0, as constants, as a column of theta_z or as columns of all: the bits of the plain functions with separable
-// masking, but for masking itself in columns of all.
+// masking.
 enum class Zero { constants, turned, tilted };
 Ellipsoid without_angles(Zero zero, const Columns2& alpha, const std::vector<float>& zeros) {
   Column column = zeros.data(), constant = 0.f;
@@ -202,9 +205,8 @@ TEST(Identity, PlainNormals) {
       sample_normals(warp, kCount, in.wo(), in.alpha(), in.u(), plain.out());
       for (Zero zero : {Zero::constants, Zero::turned, Zero::tilted}) {
         sample_normals(warp, kCount, in.wo(), without_angles(zero, in.alpha(), zeros), in.u(), other.out());
-        double worst = 0;
-        for (std::size_t i = 0; i < kCount; ++i) worst = std::max(worst, distance(plain.at(i), other.at(i)) / kEps);
-        EXPECT_EQ(worst, 0) << row.name << " " << int(zero);
+        EXPECT_TRUE(same_bits({plain.x, plain.y, plain.z}, {other.x, other.y, other.z}))
+            << row.name << " " << int(zero);
       }
     }
 }
@@ -227,24 +229,11 @@ TEST(Identity, PlainReflection) {
         evaluate_reflection(kCount, in.wo(), plain.wi.in(), ellipsoid, here.out());
         pdf_normals(kCount, in.wo(), plain.wm.in(), in.alpha(), pdf.data());
         pdf_normals(kCount, in.wo(), plain.wm.in(), ellipsoid, other_pdf.data());
-        struct {
-          const char* what;
-          double worst;
-        } rows[] = {{"wi", 0},    {"wo.wm", 0},          {"pdf", 0},   {"evaluated pdf", 0},
-                    {"f cos", 0}, {"pdf of normals", 0}, {"weight", 0}};
-        auto keep = [&](int k, double a, double b) {
-          if (a != b) rows[k].worst = std::max(rows[k].worst, std::fabs(a / b - 1) / kEps);
+        auto table = [](const Samples& s, const Values& value, const std::vector<float>& density) {
+          return Table{s.wi.x, s.wi.y, s.wi.z, s.pdf,       s.weight,  s.wm.x,
+                       s.wm.y, s.wm.z, s.cos,  value.f_cos, value.pdf, density};
         };
-        for (std::size_t i = 0; i < kCount; ++i) {
-          rows[0].worst = std::max(rows[0].worst, distance(plain.wi.at(i), other.wi.at(i)) / kEps);
-          rows[1].worst = std::max(rows[1].worst, std::fabs(double(plain.cos[i]) - other.cos[i]) / kEps);
-          keep(2, other.pdf[i], plain.pdf[i]);
-          keep(3, here.pdf[i], there.pdf[i]);
-          keep(4, here.f_cos[i], there.f_cos[i]);
-          keep(5, other_pdf[i], pdf[i]);
-          keep(6, other.weight[i], plain.weight[i]);
-        }
-        for (const auto& r : rows) EXPECT_EQ(r.worst, 0) << r.what << " in " << row << ", " << int(zero);
+        EXPECT_TRUE(same_bits(table(plain, there, pdf), table(other, here, other_pdf))) << row << " " << int(zero);
       }
 }
 

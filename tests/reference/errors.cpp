@@ -2,22 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace vndf::reference {
-namespace {
-
-void keep_larger(double error, std::size_t index, double& max, std::size_t& worst) {
-  if (error <= max) return;
-  max = error;
-  worst = index;
-}
-
-double or_infinite(double error) {
-  return std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
-}
-
-}  // namespace
 
 NormalErrors measure(const Inputs& in, const OracleNormals& oracle, const float* wm_x, const float* wm_y,
                      const float* wm_z) {
@@ -30,13 +16,12 @@ NormalErrors measure(const Inputs& in, const OracleNormals& oracle, const float*
     double slope_x = dx / in.alpha_x[i], slope_y = dy / in.alpha_y[i];
     distances[i] = float(distance);
     errors.mean += distance;
-    keep_larger(distance, i, errors.max, errors.worst);
-    double slope = or_infinite(std::sqrt(slope_x * slope_x + slope_y * slope_y));
+    if (keep_larger(errors.max, distance)) errors.worst = i;
+    double slope = std::sqrt(slope_x * slope_x + slope_y * slope_y);
     double steepness = std::hypot(oracle.x[i] / in.alpha_x[i], oracle.y[i] / in.alpha_y[i]);
-    errors.max_slope = std::max(errors.max_slope, slope);
-    keep_larger(slope / std::max(1., steepness / 1000), i, errors.max_resolved_slope, errors.worst_slope);
-    keep_larger(or_infinite(std::fabs(std::sqrt(x * x + y * y + z * z) - 1) / kEps), i, errors.max_norm,
-                errors.worst_norm);
+    keep_larger(errors.max_slope, slope);
+    if (keep_larger(errors.max_resolved_slope, slope / std::max(1., steepness / 1000))) errors.worst_slope = i;
+    if (keep_larger(errors.max_norm, std::fabs(std::sqrt(x * x + y * y + z * z) - 1) / kEps)) errors.worst_norm = i;
   }
   if (distances.empty()) return errors;
   errors.mean /= double(in.size());

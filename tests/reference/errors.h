@@ -1,12 +1,26 @@
 // How far computed normals are from the oracle's.
 #pragma once
 
+#include <cmath>
+
 #include "reference/oracle.h"
 
 namespace vndf::reference {
 
 /// The unit of all errors: the largest error of rounding to float in [1/2, 1].
 constexpr double kEps = 0x1p-24;
+
+/// NaN is an error that no bound holds for.
+inline double or_infinite(double error) {
+  return std::isnan(error) ? INFINITY : error;
+}
+/// Whether this error is the largest yet, which it is from now on. NaN is larger than any number; std::max and
+/// std::fmax would pass over it.
+inline bool keep_larger(double& largest, double error) {
+  if (error <= largest) return false;
+  largest = or_infinite(error);
+  return true;
+}
 
 struct NormalErrors {
   // Euclidean distance from the oracle, in eps; infinite for NaN.

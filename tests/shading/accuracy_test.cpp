@@ -15,6 +15,7 @@ namespace vndf::shading {
 namespace {
 
 using reference::HardCase;
+using reference::keep_larger;
 using reference::kEps;
 using R = long double;
 
@@ -50,7 +51,7 @@ Errors measure(Warp warp, const HardCase& hard_case, bool bounded, std::size_t c
 
   Errors worst;
   std::vector<double> pdf_errors;
-  auto keep = [](double& max, R error) { max = std::max(max, std::isnan(error) ? INFINITY : double(error / kEps)); };
+  auto keep = [](double& largest, R error) { keep_larger(largest, double(error / kEps)); };
   for (std::size_t i = 0; i < count; ++i) {
     V3<R> wo{in.wo_x[i], in.wo_y[i], in.wo_z[i]};
     Alpha<R> alpha{in.alpha_x[i], in.alpha_y[i]};
@@ -78,7 +79,7 @@ Errors measure(Warp warp, const HardCase& hard_case, bool bounded, std::size_t c
       V3<R> off = wi + R(-1) * exact;
       keep(worst.wi, std::sqrt(dot(off, off)));
       // The oracle's normal is rounded to double.
-      keep(worst.wi_z, std::max(R(0), std::fabs(wi.z - exact.z) - R(0x1p-49)) / terms);
+      keep(worst.wi_z, (std::fabs(wi.z - exact.z) - R(0x1p-49)) / terms);
       keep(worst.cos, std::fabs(sample.cos[i] - cos));
     }
     if (wi.z <= 0 || exact.z <= 0) continue;
@@ -95,7 +96,7 @@ Errors measure(Warp warp, const HardCase& hard_case, bool bounded, std::size_t c
       R magnified = 1 + std::max(alpha.x, alpha.y) * std::sqrt(dot(slopes, slopes));
       R error = std::fabs(sample.pdf[i] / pdf_of(m) - 1) / magnified;
       keep(worst.pdf, error);
-      pdf_errors.push_back(double(error / kEps));
+      pdf_errors.push_back(reference::or_infinite(double(error / kEps)));
       R weight = weight_of(exact);
       R from_wi_z = (1 - weight * length_o / (length_o + wo.z)) * terms / exact.z;
       keep(worst.weight, std::fabs(sample.weight[i] / weight - 1) / (1 + from_wi_z));
@@ -182,8 +183,8 @@ TEST(Agreement, OfSampleAndEvaluate) {
         evaluate_reflection(count, in.wo(), sample.wi.in(), {alpha, alpha}, value.out(), options);
         double worst = 0;
         for (std::size_t i = 0; i < count; ++i)
-          if (sample.pdf[i] > 0 && sample.cos[i] > 0.25f)
-            worst = std::max(worst, std::fabs(double(sample.pdf[i]) / value.pdf[i] - 1));
+          if (!(sample.pdf[i] <= 0 || sample.cos[i] <= 0.25f))
+            keep_larger(worst, std::fabs(double(sample.pdf[i]) / value.pdf[i] - 1));
         EXPECT_LE(worst, 16 * kEps * (4 + 2 / alpha)) << alpha;
       }
 }
@@ -200,7 +201,7 @@ TEST(Agreement, OfWeightAndBrdf) {
       sample_reflection(Warp::polar, count, in.wo(), in.alpha(), in.u(), sample.with_normals(), options);
       evaluate_reflection(count, in.wo(), sample.wi.in(), in.alpha(), value.out(), options);
       for (std::size_t i = 0; i < count; ++i) {
-        if (!(sample.wi.z[i] > 0)) continue;
+        if (sample.wi.z[i] <= 0) continue;
         auto wo = V3<R>{in.wo_x[i], in.wo_y[i], in.wo_z[i]};
         auto wi = sample.wi.at<R>(i);
         R f = brdf_cos(wo, wi, {in.alpha_x[i], in.alpha_y[i]}, masking == Masking::separable);
@@ -230,8 +231,8 @@ TEST(NormalDensity, Accuracy) {
         V3<R> m = wm.at<R>(i);
         R length = std::sqrt(dot(m, m));
         R exact = visible_normal_pdf(wo, unit(m), alpha) * length;
-        if (dot(wo, m) > 0)
-          worst = std::max(worst, double(std::fabs(pdf[i] / exact - 1) * std::fmin(R(1), dot(wo, m)) / kEps));
+        if (!(dot(wo, m) <= 0))
+          keep_larger(worst, double(std::fabs(pdf[i] / exact - 1) * std::fmin(R(1), dot(wo, m)) / kEps));
       }
       std::printf("%s: density of normals, relative error times wo.wm: %.1f eps\n", name, worst);
       EXPECT_LE(worst, 25);

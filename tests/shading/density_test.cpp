@@ -16,6 +16,7 @@
 namespace vndf::shading {
 namespace {
 
+using reference::keep_larger;
 using reference::kEps;
 using reference::Random;
 
@@ -63,7 +64,7 @@ TEST(Density, OfVisibleNormalsIntegratesToOne) {
         pdf_normals(pdf.size(), {wo.x, wo.y, wo.z}, grid.m.in(), {r.x, r.y}, pdf.data());
         double error = std::fabs(integrate(grid, pdf) - 1);
         EXPECT_LE(error, 1e-5) << r.name << " " << wo.name;
-        worst = std::max(worst, error);
+        keep_larger(worst, error);
       }
   std::printf("the density of visible normals integrates to 1 within %.1e\n", worst);
 }
@@ -212,7 +213,7 @@ TEST(Brdf, IsReciprocal) {
     double worst = 0;
     for (std::size_t i = 0; i < kCount; ++i) {
       double f = double(there.f_cos[i]) / b.z[i], g = double(back.f_cos[i]) / a.z[i];
-      worst = std::max(worst, std::fabs(f / g - 1) / kEps);
+      keep_larger(worst, std::fabs(f / g - 1) / kEps);
     }
     EXPECT_LE(worst, 40);
   }

@@ -15,6 +15,7 @@
 namespace vndf::shading {
 namespace {
 
+using reference::keep_larger;
 using reference::kEps;
 using reference::Random;
 using R = long double;
@@ -46,13 +47,13 @@ TEST(Fresnel, BothSharesAreAccurate) {
       continue;
     }
     R g = std::sqrt(g2), conditioning = 1 + (c * c + std::fabs(n * n - 1)) / g2;
-    sum = std::max(sum, double(std::fabs(R(f.reflected) + f.transmitted - 1) / conditioning / kEps));
+    keep_larger(sum, double(std::fabs(R(f.reflected) + f.transmitted - 1) / conditioning / kEps));
     R s = (c - g) / (c + g), p = (n * n * c - g) / (n * n * c + g);
     R exact = (s * s + p * p) / 2;
     R through = 2 * c * g * (1 / ((c + g) * (c + g)) + n * n / ((n * n * c + g) * (n * n * c + g)));
     // Long double takes the plain differences with 1e-19 / |n - 1| to spare.
-    reflected = std::max(reflected, double(std::fabs(f.reflected / exact - 1) / conditioning / kEps));
-    transmitted = std::max(transmitted, double(std::fabs(f.transmitted / through - 1) / conditioning / kEps));
+    keep_larger(reflected, double(std::fabs(f.reflected / exact - 1) / conditioning / kEps));
+    keep_larger(transmitted, double(std::fabs(f.transmitted / through - 1) / conditioning / kEps));
     if (std::fabs(n - 1) > 0.01L) {
       EXPECT_NEAR(double(exact), double(fresnel(c, n)), 1e-12);
     }
@@ -99,9 +100,9 @@ TEST(Dielectric, DirectionsAndSides) {
             V3<R> wi = sample.wi.at<R>(i), off = wi + R(-1) * exact;
             // Refraction near total reflection is as ill-conditioned as the root of 1 - sin^2.
             R conditioning = reflects ? R(1) : 1 + 1 / std::sqrt(std::max(R(1e-12L), 1 - sin2));
-            double& largest = (warp == Warp::spherical_cap ? worst_cap : worst)[reflects];
-            largest = std::max(largest, double(std::sqrt(dot(off, off)) / conditioning / kEps));
-            worst_unit = std::max(worst_unit, double(std::fabs(std::sqrt(dot(wi, wi)) - 1) / conditioning / kEps));
+            keep_larger((warp == Warp::spherical_cap ? worst_cap : worst)[reflects],
+                        double(std::sqrt(dot(off, off)) / conditioning / kEps));
+            keep_larger(worst_unit, double(std::fabs(std::sqrt(dot(wi, wi)) - 1) / conditioning / kEps));
             bool possible = (wi.z * v.z > 0) == reflects && wi.z != 0;
             if (!possible) {
               ASSERT_EQ(sample.pdf[i], 0);
@@ -137,14 +138,14 @@ TEST(Dielectric, SampleAgreesWithEvaluate) {
           evaluate_dielectric(kCount, {v.x, v.y, v.z}, sample.wi.in(), {alpha.x, alpha.y}, eta, value.out(), masking);
           R n = v.z < 0 ? 1 / R(eta) : R(eta);
           for (std::size_t i = 0; i < kCount; ++i) {
-            if (!(sample.pdf[i] > 0)) continue;
+            if (sample.pdf[i] <= 0) continue;
             V3<R> wo{v.x, v.y, v.z}, wi = sample.wi.at<R>(i);
             V3<R> h = wo + (sample.side[i] > 0 ? R(1) : n) * wi;
             R length = std::sqrt(dot(h, h)), c = std::fabs(dot(wo, h)) / length, c_i = std::fabs(dot(wi, h)) / length;
             R conditioning = (4 + 2 / R(std::min(alpha.x, alpha.y))) / std::min(R(1), length) / (c * c_i);
             conditioning *= 1 + 1 / std::sqrt(std::max(R(1e-12L), std::fabs(n * n - 1 + c * c)));
             double error = double(std::fabs(R(sample.pdf[i]) / value.pdf[i] - 1) / conditioning / kEps);
-            worst = std::max(worst, error);
+            keep_larger(worst, error);
             ASSERT_LE(error, 16) << v.z << " " << eta << " " << alpha.x << " " << sample.side[i] << " at " << i;
             R f = R(sample.weight[i]) * value.pdf[i];
             ASSERT_NEAR(double(value.f_cos[i] / f), 1, 20 * kEps);
@@ -237,8 +238,8 @@ TEST(Dielectric, IsReciprocal) {
       across += through;
       R root = std::sqrt(std::fabs(R(eta) * eta - 1 + c * c));
       if (root < 5e-3L) continue;
-      worst = std::max(worst, double(std::fabs(f / g - 1) / kEps * std::fmin(R(1), length) * c * c * c_i * c_i *
-                                     std::fmin(R(1), root)));
+      keep_larger(worst, double(std::fabs(f / g - 1) / kEps * std::fmin(R(1), length) * c * c * c_i * c_i *
+                                std::fmin(R(1), root)));
     }
   }
   std::printf("reciprocity within %.1f eps / (|h| (wo.wm wi.wm)^2), %zu pairs across\n", worst, across);
