@@ -10,12 +10,14 @@
 #include "reference/hard_cases.h"
 #include "shading/inputs.h"
 #include "shading/operations.h"
+#include "support/guarded_column.h"
 
 namespace vndf::shading {
 namespace {
 
 using reference::Random;
 using testing::columns;
+using testing::GuardedColumn;
 using testing::KeepIsa;
 using testing::on_every_isa;
 using testing::results;
@@ -145,6 +147,48 @@ TEST_P(Bits, NoiseInOtherLanes) {
         for (std::size_t i = 0; i < 527; ++i) {
           ASSERT_TRUE(!kept[i] || same_bits(out[c][i], expected[c][i]));
         }
+    }
+  });
+}
+
+Table repeated(const Table& table, std::size_t count) {
+  Table result(table.size(), std::vector<float>(count));
+  for (std::size_t c = 0; c < table.size(); ++c)
+    for (std::size_t i = 0; i < count; ++i) result[c][i] = table[c][i % table[c].size()];
+  return result;
+}
+
+// Results that are written past the caches are those of smaller batches, which are not: with all outputs, in place with
+// every second of the optional ones, and with none of them. No block divides the period of the inputs.
+TEST_P(Bits, HugeBatches) {
+  constexpr std::size_t kHuge = (std::size_t(1) << 20) + 15, kPeriod = 65521;
+  Table in = inputs(GetParam(), kPeriod, 90);
+  Table expected = repeated(on_scalar(in), kHuge);
+  in = repeated(in, kHuge);
+  std::size_t outputs = GetParam().outputs;
+  std::vector<GuardedColumn> all;  // for the inputs, then for outputs that are not in place
+  for (std::size_t c = 0; c < in.size() + outputs; ++c) all.emplace_back(kHuge, 0);
+  on_every_isa([&] {
+    for (unsigned wanted : {15, 5, 0}) {
+      if (wanted == 0 && outputs < 9) continue;
+      std::vector<Column> from;
+      for (std::size_t c = 0; c < in.size(); ++c) {
+        std::copy(in[c].begin(), in[c].end(), all[c].data());
+        from.push_back(all[c].data());
+      }
+      for (std::size_t c = in.size(); c < all.size(); ++c) std::fill_n(all[c].data(), kHuge, -7.f);
+      GuardedColumn* out = &all[wanted == 5 ? 0 : in.size()];
+      std::vector<float*> to;
+      for (std::size_t c = 0; c < outputs; ++c)
+        to.push_back(outputs < 9 || c < 5 || wanted >> (c - 5) & 1 ? out[c].data() : nullptr);
+      GetParam().run(kHuge, from, to);
+      for (std::size_t c = 0; c < outputs; ++c) {
+        if (!to[c]) continue;
+        ASSERT_TRUE(out[c].intact()) << c;
+        ASSERT_TRUE(
+            std::equal(expected[c].begin(), expected[c].end(), to[c], [](float a, float b) { return same_bits(a, b); }))
+            << c << " wanted " << wanted;
+      }
     }
   });
 }
