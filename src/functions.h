@@ -37,7 +37,9 @@ struct OneShapes {
     kernel.surface.shape.set(shape);
     for_each_block<N, M>(count, columns, results, kernel);
   }
-  static VNDF_INLINE Columns2 alpha(const Shape&) { return {0.f, 0.f}; }
+  // A constant expression: a call of Column's constructor could be what another set's object is linked to.
+  static constexpr Columns2 kNoAlpha{0.f, 0.f};
+  static VNDF_INLINE const Columns2& alpha(const Shape&) { return kNoAlpha; }
 };
 
 /// kAngles are the columns of Ellipsoid that are read.

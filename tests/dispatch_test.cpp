@@ -1,10 +1,11 @@
 // Which kernels a name runs. Compiled together with src/dispatch.cpp and, instead of the kernels, with tables whose
 // functions note who was called: what dispatch does is then seen, not inferred. Built twice: over the library's rows,
-// and over the rows in stub_rows/, one of which no machine supports.
+// and over the rows in stub_rows/, some of which no machine supports.
 #include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -15,20 +16,60 @@ namespace {
 
 thread_local std::string last_call;
 
-void note(const char* isa, const char* function) {
-  last_call = std::string(isa) + " " + function;
+std::string called(const std::string& isa, const std::string& kernels, const std::string& function, std::size_t index) {
+  return isa + ": " + kernels + ", " + function + " " + std::to_string(index);
 }
 
-template <const char* isa, int warp>
-void note_normals(std::size_t, const vndf::Columns3&, const vndf::Columns2&, const vndf::Columns2&,
-                  const vndf::Out3&) noexcept {
-  static const char* const names[] = {"normals polar", "normals concentric", "normals spherical_cap"};
-  note(isa, names[warp]);
+/// Kernels that note who they are, whatever their arguments.
+template <const char* isa, const char* kernels, const char* function>
+struct Stubs {
+  template <std::size_t index, class... Arguments>
+  static void note(Arguments...) noexcept {
+    last_call = called(isa, kernels, function, index);
+  }
+  /// One entry of the table, or an array of them, numbered in order.
+  template <std::size_t index = 0, class... Arguments>
+  static void fill(void (*&entry)(Arguments...) noexcept) {
+    entry = note<index, Arguments...>;
+  }
+  template <std::size_t first = 0, class T, std::size_t n>
+  static void fill(T (&entries)[n]) {
+    fill<first>(entries, std::make_index_sequence<n>());
+  }
+  template <std::size_t first, class T, std::size_t... i>
+  static void fill(T* entries, std::index_sequence<i...>) {
+    (fill<first + i * sizeof(T) / sizeof(void (*)())>(entries[i]), ...);
+  }
+};
+
+constexpr char kPlain[] = "plain", kSeparable[] = "separable", kBounded[] = "bounded",
+               kBoundedSeparable[] = "bounded separable", kOneShape[] = "one shape", kTurned[] = "turned",
+               kTilted[] = "tilted";
+constexpr char kNormals[] = "normals", kDisk[] = "disk", kReflection[] = "reflection", kDielectric[] = "dielectric",
+               kEvaluateReflection[] = "evaluate reflection", kEvaluateDielectric[] = "evaluate dielectric",
+               kPdfNormals[] = "pdf of normals";
+
+template <const char* isa, const char* kernels, class Kernels>
+void fill(Kernels& k) {
+  Stubs<isa, kernels, kNormals>::fill(k.sample_normals);
+  Stubs<isa, kernels, kReflection>::fill(k.sample_reflection);
+  Stubs<isa, kernels, kEvaluateReflection>::fill(k.evaluate_reflection);
+  Stubs<isa, kernels, kPdfNormals>::fill(k.pdf_normals);
+  Stubs<isa, kernels, kDielectric>::fill(k.sample_dielectric);
+  Stubs<isa, kernels, kEvaluateDielectric>::fill(k.evaluate_dielectric);
 }
-template <const char* isa, int map>
-void note_disk(std::size_t, const vndf::Columns2&, const vndf::Out2&) noexcept {
-  static const char* const names[] = {"disk polar", "disk concentric"};
-  note(isa, names[map]);
+template <const char* isa>
+vndf::KernelTable stubs() {
+  vndf::KernelTable table;
+  Stubs<isa, kPlain, kDisk>::fill(table.sample_disk);
+  fill<isa, kPlain>(table.plain[0]);
+  fill<isa, kSeparable>(table.plain[1]);
+  fill<isa, kBounded>(table.bounded[0]);
+  fill<isa, kBoundedSeparable>(table.bounded[1]);
+  fill<isa, kOneShape>(table.one_shape);
+  fill<isa, kTurned>(table.turned);
+  fill<isa, kTilted>(table.tilted);
+  return table;
 }
 
 struct Row {
@@ -44,23 +85,10 @@ const Row kRows[] = {
 }  // namespace
 
 namespace vndf {
-#define VNDF_ISA(name, supported)                                                                            \
-  static constexpr char name_of_##name[] = #name;                                                            \
-  extern const KernelTable kernels_##name;                                                                   \
-  const KernelTable kernels_##name = {                                                                       \
-      {note_disk<name_of_##name, 0>, note_disk<name_of_##name, 1>},                                          \
-      {{{note_normals<name_of_##name, 0>, note_normals<name_of_##name, 1>, note_normals<name_of_##name, 2>}, \
-        {},                                                                                                  \
-        {},                                                                                                  \
-        {},                                                                                                  \
-        {},                                                                                                  \
-        {}},                                                                                                 \
-       {}},                                                                                                  \
-      {},                                                                                                    \
-      {},                                                                                                    \
-      {},                                                                                                    \
-      {},                                                                                                    \
-  };
+#define VNDF_ISA(name, supported)                 \
+  static constexpr char name_of_##name[] = #name; \
+  extern const KernelTable kernels_##name;        \
+  const KernelTable kernels_##name = stubs<name_of_##name>();
 #include "isa_rows.h"
 #undef VNDF_ISA
 }  // namespace vndf
@@ -69,15 +97,57 @@ namespace {
 
 using namespace vndf;
 
-std::string call_normals(Warp warp) {
-  sample_normals(warp, 0, {0.f, 0.f, 1.f}, {1.f, 1.f}, {0.f, 0.f}, {});
-  return last_call;
-}
+const Columns2 kAlpha{0.5f, 0.5f};
+constexpr Warp kWarps[] = {Warp::polar, Warp::concentric, Warp::spherical_cap};
+
 std::string call_disk(DiskMap map) {
   sample_disk(map, 0, {0.f, 0.f}, {});
   return last_call;
 }
 
+void expect_last_call(const char* kernels, const char* function, std::size_t index) {
+  EXPECT_EQ(last_call, called(active_isa(), kernels, function, index));
+}
+
+// Calls with alpha, an Ellipsoid or a Shape.
+const Columns3 kUp{0.f, 0.f, 1.f};
+template <class S>
+void expect_normals(const char* kernels, const S& shape) {
+  for (Warp warp : kWarps) {
+    sample_normals(warp, 0, kUp, shape, {0.f, 0.f}, {});
+    expect_last_call(kernels, kNormals, std::size_t(warp));
+  }
+  pdf_normals(0, kUp, kUp, shape, nullptr);
+  expect_last_call(kernels, kPdfNormals, 0);
+}
+template <class S, class... Options>
+void expect_reflection(const char* kernels, const S& shape, const Options&... options) {
+  for (Warp warp : kWarps) {
+    sample_reflection(warp, 0, kUp, shape, {0.f, 0.f}, {}, options...);
+    expect_last_call(kernels, kReflection, std::size_t(warp));
+  }
+  evaluate_reflection(0, kUp, kUp, shape, {}, options...);
+  expect_last_call(kernels, kEvaluateReflection, 0);
+}
+template <class S, class... Options>
+void expect_dielectric(const char* kernels, const S& shape, const Options&... options) {
+  for (Warp warp : kWarps) {
+    sample_dielectric(warp, 0, kUp, shape, 1.5f, kUp, {}, options...);
+    expect_last_call(kernels, kDielectric, std::size_t(warp));
+  }
+  evaluate_dielectric(0, kUp, kUp, shape, 1.5f, {}, options...);
+  expect_last_call(kernels, kEvaluateDielectric, 0);
+}
+template <class S>
+void expect_all(const char* kernels, const S& shape) {
+  expect_normals(kernels, shape);
+  expect_reflection(kernels, shape);
+  expect_dielectric(kernels, shape);
+}
+
+std::string polar_disk(const std::string& isa) {
+  return called(isa, kPlain, kDisk, 0);
+}
 std::string best() {
   std::string name;
   for (const Row& row : kRows)
@@ -87,11 +157,9 @@ std::string best() {
 
 void expect_calls_on(const std::string& isa) {
   EXPECT_EQ(active_isa(), isa);
-  EXPECT_EQ(call_normals(Warp::polar), isa + " normals polar");
-  EXPECT_EQ(call_normals(Warp::concentric), isa + " normals concentric");
-  EXPECT_EQ(call_normals(Warp::spherical_cap), isa + " normals spherical_cap");
-  EXPECT_EQ(call_disk(DiskMap::polar), isa + " disk polar");
-  EXPECT_EQ(call_disk(DiskMap::concentric), isa + " disk concentric");
+  expect_all(kPlain, kAlpha);
+  for (DiskMap map : {DiskMap::polar, DiskMap::concentric})
+    EXPECT_EQ(call_disk(map), called(isa, kPlain, kDisk, std::size_t(map)));
 }
 
 TEST(Dispatch, ListsTheRows) {
@@ -117,6 +185,38 @@ TEST(Dispatch, EveryNameRunsItsKernels) {
       expect_calls_on(before);
     }
   }
+}
+
+TEST(Dispatch, EveryOptionRunsItsKernels) {
+  const auto correlated = Masking::height_correlated, separable = Masking::separable;
+  expect_reflection(kPlain, kAlpha, ReflectionOptions{correlated, false});
+  expect_reflection(kSeparable, kAlpha, ReflectionOptions{separable, false});
+  expect_reflection(kBounded, kAlpha, ReflectionOptions{correlated, true});
+  expect_reflection(kBoundedSeparable, kAlpha, ReflectionOptions{separable, true});
+  expect_dielectric(kPlain, kAlpha, correlated);
+  expect_dielectric(kSeparable, kAlpha, separable);
+}
+
+// ellipsoid.h states what each way of giving the angles costs.
+TEST(Dispatch, EllipsoidsRunTheCheapestKernels) {
+  const float number = 0;
+  const Column angles[] = {0.f, -0.f, 0.3f, &number}, alphas[] = {0.5f, &number};
+  auto is_zero = [](const Column& c) { return !c.data && c.value == 0; };
+  for (const Column& alpha_x : alphas)
+    for (const Column& alpha_y : alphas)
+      for (const Column& x : angles)
+        for (const Column& y : angles)
+          for (const Column& z : angles) {
+            bool upright = is_zero(x) && is_zero(y);
+            bool constants = !alpha_x.data && !alpha_y.data && !x.data && !y.data && !z.data;
+            bool plain = upright && is_zero(z);
+            const char* kernels = plain ? kSeparable : constants ? kOneShape : upright ? kTurned : kTilted;
+            expect_all(kernels, Ellipsoid({alpha_x, alpha_y}, x, y, z));
+          }
+}
+
+TEST(Dispatch, ShapesRunTheirKernels) {
+  expect_all(kOneShape, Shape());
 }
 
 TEST(Dispatch, UnknownNamesChangeNothing) {
@@ -152,7 +252,7 @@ TEST(Dispatch, MessagesSayWhatIsWrong) {
   int complaints = 0;
   for (std::size_t at = 0; (at = written.find("VNDF_ISA", at)) != std::string::npos; ++at) ++complaints;
   for (const std::string& call : calls)
-    if (call != std::string(active_isa()) + " disk polar") std::fprintf(stderr, "threads disagree; ");
+    if (call != polar_disk(active_isa())) std::fprintf(stderr, "threads disagree; ");
   std::fprintf(stderr, "ran %s; %d complaints; %s", calls[0].c_str(), complaints, written.c_str());
   std::exit(0);
 }
@@ -168,20 +268,21 @@ class Environment : public ::testing::Test {
 using EnvironmentDeathTest = Environment;
 
 TEST_F(EnvironmentDeathTest, UnsetOrEmptyPicksTheBest) {
-  expect_first_calls(nullptr, "^ran " + best() + " disk polar; 0 complaints; $");
-  expect_first_calls("", "^ran " + best() + " disk polar; 0 complaints; $");
+  expect_first_calls(nullptr, "^ran " + polar_disk(best()) + "; 0 complaints; $");
+  expect_first_calls("", "^ran " + polar_disk(best()) + "; 0 complaints; $");
 }
 
 TEST_F(EnvironmentDeathTest, NamesForce) {
   for (const Row& row : kRows)
-    if (row.supported) expect_first_calls(row.name, std::string("^ran ") + row.name + " disk polar; 0 complaints; $");
+    if (row.supported) expect_first_calls(row.name, "^ran " + polar_disk(row.name) + "; 0 complaints; $");
 }
 
 TEST_F(EnvironmentDeathTest, OtherNamesAreReportedOnceAndIgnored) {
-  expect_first_calls("nonsense", "^ran " + best() + " disk polar; 1 complaints; .*VNDF_ISA=nonsense ignored");
+  expect_first_calls("nonsense", "^ran " + polar_disk(best()) + "; 1 complaints; .*VNDF_ISA=nonsense ignored");
   for (const Row& row : kRows)
     if (!row.supported)
-      expect_first_calls(row.name, "^ran " + best() + " disk polar; 1 complaints; .*VNDF_ISA=" + row.name + " ignored");
+      expect_first_calls(row.name,
+                         "^ran " + polar_disk(best()) + "; 1 complaints; .*VNDF_ISA=" + row.name + " ignored");
 }
 
 }  // namespace
