@@ -11,7 +11,8 @@ namespace vndf {
 /// A = S R, eq. 2-3: S = diag(alpha_x, alpha_y, 1), R = Rx(theta_x) Ry(theta_y) Rz(theta_z), angles in radians. Columns
 /// or constants:
 ///  - all angles the constant 0: plain GGX with separable masking, its bits and its speed.
-///  - all five constants: one matrix for the batch, 1.1 to 1.35 times the time of plain GGX; evaluating to 1.7.
+///  - all five constants: one matrix for the batch, sampling takes 1.1 to 1.35 times as long as for plain GGX,
+///    evaluate_reflection to 1.7.
 ///  - theta_x and theta_y the constant 0: axes that a texture turns, 1.25 to 1.55 times; evaluating 1.8 to 2.1.
 ///  - else the matrix is worked out for each lane, 4 to 9 times; evaluating 10 to 13.
 /// The third way rounds otherwise than the second and the fourth, which have the same bits.
@@ -75,7 +76,7 @@ void sample_normals(Warp warp, std::size_t count, const Columns3& wo, const Shap
 
 /// sample_reflection of vndf.h: wi, eq. 47; pdf, eq. 48; weight, eq. 50 without Fresnel's factor, in [0, 1]. Masking is
 /// G = G1(wo) G1(wi), eq. 5, with the minimum of eq. 6: the height-correlated one is not defined with it, and neither
-/// is bounded sampling. For theta = 0 the bits of vndf.h with separable masking.
+/// is bounded sampling. For theta = 0 and views with z >= 0 the bits of vndf.h with separable masking.
 void sample_reflection(Warp warp, std::size_t count, const Columns3& wo, const Ellipsoid& ellipsoid, const Columns2& u,
                        const ReflectionSamples& out) noexcept;
 void sample_reflection(Warp warp, std::size_t count, const Columns3& wo, const Shape& shape, const Columns2& u,

@@ -148,7 +148,8 @@ struct ReflectionSamples {
 ///
 /// warp       as for sample_normals. Bounded sampling is defined on the spherical cap: `polar` and `concentric` lay
 ///            their disk point on it by Lambert's equal-area map.
-/// wo         unit view directions with z >= 0. Below the horizon nothing is reflected: pdf and weight are 0.
+/// wo         unit view directions with z >= 0. Below the horizon nothing is reflected: pdf and weight are 0, and wi is
+///            of no use.
 /// alpha      roughness along x and y, from 1e-6 to 100.
 /// u          uniform random numbers in [0, 1].
 /// wi         2 (wo.wm) wm - wo, eq. 16, as long as wo is. Where it lies below the horizon or on it, it is written
@@ -167,7 +168,8 @@ struct ReflectionSamples {
 ///
 /// Special values, each confined to its own lane:
 ///  - alpha below 1e-6: pdf and weight lose accuracy where view and light graze, since squares leave the range of
-///    float; alpha = 0: pdf is infinite, wi and weight are a mirror's, or NaN for a horizontal view.
+///    float; alpha_x = alpha_y = 0: pdf is infinite, wi and weight are a mirror's, or NaN for a horizontal view, and
+///    unspecified for u on the rim of the warp (polar u1 = 1, cap u2 = 1, concentric a 0 or 1).
 ///  - negative alpha: as its absolute value.
 ///  - wo of another length: wi has that length too, pdf is off by it; bounded, the samples are others.
 ///  - u outside [0, 1], NaN or infinity in any input of a lane: unspecified values or NaN in that lane.
@@ -197,8 +199,8 @@ struct Evaluations {
 /// Error: relative 16 eps for either, on the hard cases with alpha from 1e-6 to 100, measured as for sample_reflection:
 /// nothing cancels, h = wo + wi is taken as it is.
 ///
-/// Special values: alpha = 0 and h = +z: a large finite value; NaN or infinity in any input of a lane, or directions
-/// far from unit length: unspecified values or NaN in that lane.
+/// Special values: alpha = 0 and h = +z: a large value, infinite for wo.z below 3e-4; NaN or infinity in any input of a
+/// lane, or directions far from unit length: unspecified values or NaN in that lane.
 ///
 /// Source: Heitz 2018, eq. 15 and 17; Eto and Tokuyoshi 2023, eq. 8.
 void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& wi, const Columns2& alpha,
@@ -247,13 +249,14 @@ struct DielectricSamples {
 ///
 /// pdf and weight are 0 where wi comes out at the wrong side of the surface.
 ///
-/// Error: wi 13 eps for a given normal if reflected, and 21 eps times 1 + 1 / |cos of refraction| if refracted (cap:
-/// 320 and 21); Fresnel's shares 7 and 4 eps relative, eta near 1 included, times what the angle of total reflection
+/// Error: wi 14 eps for a given normal if reflected, and 25 eps times 1 + 1 / |cos of refraction| if refracted (cap:
+/// 320 and 25); Fresnel's shares 7 and 4 eps relative, eta near 1 included, times what the angle of total reflection
 /// does to them; pdf agrees with evaluate_dielectric within 16 eps (4 + 2 / alpha) (1 + 1 / g) / (|h| |wo.wm| |wi.wm|),
-/// with h = wo + wi or wo + eta wi and g^2 = eta^2 - 1 + (wo.wm)^2.
+/// with h = wo + wi or wo + eta wi and g^2 = eta^2 - 1 + (wo.wm)^2. Refracted wi, and that agreement, times
+/// max(eta, 1 / eta)^2 / 6 where eta is outside [0.4, 2.5].
 ///
-/// Special values: eta = 1: all is refracted straight on, weight as ever, pdf infinite. NaN or infinity in any input of
-/// a lane: unspecified values or NaN in that lane.
+/// Special values: eta = 1: all is refracted straight on, weight as ever, pdf infinite, or 0 for a horizontal view. NaN
+/// or infinity in any input of a lane: unspecified values or NaN in that lane.
 ///
 /// Source: Walter, Marschner, Li and Torrance, Microfacet Models for Refraction through Rough Surfaces, EGSR 2007, with
 /// the normals of Heitz 2018.
