@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "reference/errors.h"
+#include "reference/quad.h"
 
 namespace vndf::reference {
 namespace {
@@ -31,6 +32,17 @@ TEST(Oracle, LongDoubleIsAsGoodAsItSays) {
       }
     }
 }
+
+#if VNDF_FLOAT128
+// 113 bits, of pi and of each function, where long double has 64.
+TEST(Quad, HasItsDigits) {
+  Quad sin, cos, root = square_root(Quad(3));
+  sin_cos(kPi<Quad> / 6, sin, cos);
+  EXPECT_LE(std::fabs(double(2 * sin - 1)), 0x1p-110);
+  EXPECT_LE(std::fabs(double(2 * cos - root)), 0x1p-110);
+  EXPECT_LE(std::fabs(double(root * root - 3)), 0x1p-110);
+}
+#endif
 
 TEST(Oracle, KnownNormals) {
   struct Row {

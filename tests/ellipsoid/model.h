@@ -12,30 +12,9 @@
 namespace vndf::ellipsoid {
 
 using namespace shading;
-
-template <class R>
-R square_root(R x) {
-  return std::sqrt(x);
-}
-template <class R>
-void sin_cos(R x, R& sin, R& cos) {
-  sin = std::sin(x);
-  cos = std::cos(x);
-}
-#ifdef __SIZEOF_FLOAT128__
-using Quad = __float128;
-/// One step of Newton's on a long double: 113 digits, since its error squares.
-inline Quad square_root(Quad x) {
-  Quad root = std::sqrt(static_cast<long double>(x));
-  return root > 0 ? (root + x / root) / 2 : root;
-}
-inline void sin_cos(Quad x, Quad& sin, Quad& cos) {
-  sin = std::sin(static_cast<long double>(x));
-  cos = std::cos(static_cast<long double>(x));
-}
-#else
-using Quad = long double;
-#endif
+using reference::Quad;
+using reference::sin_cos;
+using reference::square_root;
 
 template <class R>
 V3<R> direction(const V3<R>& v) {

@@ -4,13 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#if VNDF_FLOAT128
-// As <quadmath.h> declares them; Clang does not find that header.
-extern "C" {
-__float128 sqrtq(__float128) noexcept;
-void sincosq(__float128, __float128*, __float128*) noexcept;
-}
-#endif
+#include "reference/quad.h"
 
 namespace vndf::reference {
 namespace {
@@ -22,32 +16,10 @@ static_assert(std::numeric_limits<Extended>::digits >= 64, "the oracle needs mor
 template <class R>
 constexpr R kRounding = std::numeric_limits<R>::epsilon() / 2;
 
-Extended square_root(Extended x) {
-  return std::sqrt(x);
-}
-void sin_cos(Extended x, Extended& sin, Extended& cos) {
-  sin = std::sin(x);
-  cos = std::cos(x);
-}
-
 #if VNDF_FLOAT128
-using Quad = __float128;
 template <>
 constexpr Quad kRounding<Quad> = Quad(0x1p-113);
-
-Quad square_root(Quad x) {
-  return sqrtq(x);
-}
-void sin_cos(Quad x, Quad& sin, Quad& cos) {
-  sincosq(x, &sin, &cos);
-}
-#else
-using Quad = Extended;
 #endif
-
-/// Pi to 128 bits, as the sum of two long doubles.
-template <class R>
-const R kPi = R(0x1.921fb54442d1846ap+1L) + R(-0x7.6733ae8fe47c65d8p-67L);
 
 template <class R>
 R absolute(R x) {

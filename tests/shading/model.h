@@ -4,7 +4,11 @@
 
 #include <cmath>
 
+#include "reference/quad.h"
+
 namespace vndf::shading {
+
+using reference::kPi;
 
 template <class R>
 struct V3 {
@@ -30,9 +34,6 @@ template <class R>
 V3<R> unit(const V3<R>& a) {
   return (1 / std::sqrt(dot(a, a))) * a;
 }
-
-template <class R>
-const R kPi = R(3.14159265358979323846264338327950288L);
 
 template <class R>
 struct Alpha {
