@@ -11,9 +11,9 @@ namespace vndf {
 /// A = S R, eq. 2-3: S = diag(alpha_x, alpha_y, 1), R = Rx(theta_x) Ry(theta_y) Rz(theta_z), angles in radians. Columns
 /// or constants:
 ///  - all angles the constant 0: plain GGX with separable masking, its bits and its speed.
-///  - all five constants: one matrix for the batch, sampling takes 1.1 to 1.35 times as long as for plain GGX,
+///  - all five constants: one matrix for the batch, sampling takes 1.1 to 1.4 times as long as for plain GGX,
 ///    evaluate_reflection to 1.7.
-///  - theta_x and theta_y the constant 0: axes that a texture turns, 1.25 to 1.55 times; evaluating 1.8 to 2.1.
+///  - theta_x and theta_y the constant 0: axes that a texture turns, 1.2 to 1.55 times; evaluating 1.8 to 2.1.
 ///  - else the matrix is worked out for each lane, 4 to 9 times; evaluating 10 to 13.
 /// The third way rounds otherwise than the second and the fourth, which have the same bits.
 ///
