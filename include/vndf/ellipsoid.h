@@ -65,7 +65,7 @@ const char* message(ShapeError error) noexcept;
 /// each row of tests/ellipsoid/accuracy_test.cpp, polar and concentric: for |theta_x|, |theta_y| <= 0.5 and alpha from
 /// 1e-3 to 1 mean 1.1, p99.9 7, largest 19 but where twice what half a unit of the last place of the inputs moves the
 /// exact normal by is more (830), and for u = 0 exactly 2^-26 / alpha. For any angles mean 1.2, p99.9 20, largest 152.
-/// The cap: mean 1.4, p99.9 39, largest 6900; at the rim of the disk mean 6, p99.9 414, largest 94 000; for any angles
+/// The cap: mean 1.4, p99.9 39, largest 6900; at the rim of the disk mean 6, p99.9 421, largest 94 000; for any angles
 /// mean 1.5, p99.9 60, largest 3100.
 ///
 /// NaN or infinity in any input of a lane, or alpha = 0: unspecified values or NaN in that lane.
