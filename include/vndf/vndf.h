@@ -162,9 +162,9 @@ struct ReflectionSamples {
 /// Error, in eps = 2^-24, measured on 2^18 samples of each hard case of the tests with alpha <= 1, against their
 /// papers' plain formulas in long double and quadruple precision, polar and concentric: wi 34 (Euclidean), 10 for
 /// wo.wm; pdf 35 relative, times 1 + max(alpha) |A^-1 wm|; weight 7 relative, times 1 plus the quotient of the terms
-/// of wi.z and wi.z itself. p99.9 of pdf is 21. For spherical_cap: wi 320, pdf 680,
-/// p99.9 17: it loses digits where wm is nearly perpendicular to wo. pdf agrees with evaluate_reflection for the
-/// rounded wi within 16 eps (4 + 2 / alpha) where wo.wm >= 1/4, and 4 eps (4 + 2 / alpha) / (wo.wm) anywhere.
+/// of wi.z and wi.z itself. p99.9 of pdf is 21. For spherical_cap: wi 320, pdf 680, p99.9 17: it loses digits where wm
+/// is nearly perpendicular to wo. pdf agrees with evaluate_reflection for the rounded wi within 16 eps (4 + 2 / alpha)
+/// where wo.wm >= 1/4, and 4 eps (4 + 2 / alpha) / (wo.wm) anywhere.
 ///
 /// Special values, each confined to its own lane:
 ///  - alpha below 1e-6: pdf and weight lose accuracy where view and light graze, since squares leave the range of
