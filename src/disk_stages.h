@@ -17,8 +17,34 @@ VNDF_INLINE lanes::DiskPoint<F> map_disk(Vec2<F> u) {
   return map == DiskMap::polar ? lanes::polar_map(u) : lanes::concentric_map(u);
 }
 
-/// Normals alone need no lengths.
-template <DiskMap map, class View, class Surface, std::size_t kLanes, bool kWithLengths>
+/// A wo. Of shapes that lean it takes as long as a stage.
+template <class View, class Surface, std::size_t kLanes>
+class StretchStage {
+ public:
+  template <std::size_t N>
+  VNDF_INLINE void run(const Inputs<N>& in, const Surface& surface, std::size_t n) {
+    if constexpr (!Surface::kUpright)
+      for (std::size_t i = 0; i < n; i += kWidth) stretched_.store(i, stretched(in, surface, i));
+  }
+  template <std::size_t N>
+  VNDF_INLINE Vec3<F> load(const Inputs<N>& in, const Surface& surface, std::size_t i) const {
+    if constexpr (Surface::kUpright)
+      return stretched(in, surface, i);
+    else
+      return stretched_.load(i);
+  }
+
+ private:
+  template <std::size_t N>
+  static VNDF_INLINE Vec3<F> stretched(const Inputs<N>& in, const Surface& surface, std::size_t i) {
+    return stretch(View::view(surface.frame.wo(in, i)), surface.shape.at(in, i));
+  }
+
+  Staged<Vec3<F>, kLanes> stretched_;
+};
+
+/// Normals alone need no size of the view.
+template <DiskMap map, class View, class Surface, std::size_t kLanes, bool kWithSize>
 class DiskStages {
  public:
   template <std::size_t N>
@@ -40,25 +66,21 @@ class DiskStages {
       in.template prefetch<2>(i);
       chords_.store(i, lanes::chord(points_.load(i)));
     }
-    if constexpr (!Surface::kUpright) {
-      for (std::size_t i = 0; i < n; i += kWidth) stretched_.store(i, stretched(in, surface, i));
-    }
+    stretched_.run(in, surface, n);
     for (std::size_t i = 0; i < n; i += kWidth) {
       in.template prefetch<3, 4>(i);
-      Vec3<F> h;
-      if constexpr (Surface::kUpright)
-        h = stretched(in, surface, i);
-      else
-        h = stretched_.load(i);
       F length;
-      views_.store(i, lanes::scale_view(h, azimuth_of(surface.shape.at(in, i)), length));
-      if constexpr (kWithLengths) lengths_.store(i, length);
+      views_.store(i, lanes::scale_view(stretched_.load(in, surface, i), azimuth_of(surface.shape.at(in, i)), length));
+      if constexpr (kWithSize) lengths_.store(i, length);
     }
     for (std::size_t i = 0; i < n; i += kWidth) {
-      auto elevation = lanes::elevation_of(views_.load(i));
+      auto elevation = elevation_of(views_.load(i));
       elevations_.store(i, elevation);
-      if constexpr (kWithLengths && !Surface::kUpright)
-        areas_.store(i, lanes::lune_area(lengths_.load(i), stretched_.load(i).z, elevation.one_plus_z));
+      if constexpr (kWithSize) {
+        F h_z = stretched_.load(in, surface, i).z, length = lengths_.load(i);
+        F area = Surface::kUpright ? length + h_z : lanes::lune_area(length, h_z, elevation.one_plus_z);
+        areas_.store(i, area);
+      }
     }
   }
 
@@ -66,26 +88,14 @@ class DiskStages {
   VNDF_INLINE lanes::HemisphereView<F> view(std::size_t i) const {
     return lanes::hemisphere_view(views_.load(i), elevations_.load(i));
   }
-  /// |A wo|, and |A wo| + (A wo).z.
-  VNDF_INLINE F length(std::size_t i) const { return lengths_.load(i); }
-  VNDF_INLINE F area(std::size_t i, F wo_z) const {
-    if constexpr (Surface::kUpright)
-      return length(i) + wo_z;
-    else
-      return areas_.load(i);
-  }
+  VNDF_INLINE lanes::ViewSize<F> size(std::size_t i) const { return {lengths_.load(i), areas_.load(i)}; }
 
  private:
-  template <std::size_t N>
-  static VNDF_INLINE Vec3<F> stretched(const Inputs<N>& in, const Surface& surface, std::size_t i) {
-    return stretch(View::view(surface.frame.wo(in, i)), surface.shape.at(in, i));
-  }
-
   Staged<lanes::DiskPoint<F>, kLanes> points_;
   Staged<lanes::Chord<F>, kLanes> chords_;
-  Staged<Vec3<F>, kLanes> stretched_;  // of what leans: there A takes as long as a stage
+  StretchStage<View, Surface, kLanes> stretched_;
   Staged<lanes::ScaledView<F>, kLanes> views_;
-  Staged<F, kLanes> lengths_, areas_;  // areas of what leans
+  Staged<F, kLanes> lengths_, areas_;
   Staged<lanes::Elevation<F>, kLanes> elevations_;
 };
 

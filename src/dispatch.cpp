@@ -1,5 +1,7 @@
 // Picks the instruction set at run time and forwards the public functions to its kernels. Sees no SIMD type.
 #include <atomic>
+#include <cassert>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -69,44 +71,77 @@ const Implementation& active() noexcept {
 
 namespace {
 
+/// The kernel of an enumerator, which must be one.
+template <class Kernel, std::size_t N, class Enum>
+const Kernel& of(const Kernel (&kernels)[N], Enum which) noexcept {
+  assert(static_cast<std::size_t>(which) < N);
+  return kernels[static_cast<std::size_t>(which)];
+}
+
+/// A count that columns of floats can have, and columns to write it to.
+template <class... Columns>
+void expect_written([[maybe_unused]] std::size_t count, [[maybe_unused]] Columns... columns) noexcept {
+  assert(count <= PTRDIFF_MAX / sizeof(float));
+  assert(count == 0 || (columns && ...));
+}
+void expect_written(std::size_t count, const Out3& out) noexcept {
+  expect_written(count, out.x, out.y, out.z);
+}
+void expect_written(std::size_t count, const ReflectionSamples& out) noexcept {
+  expect_written(count, out.wi.x, out.wi.y, out.wi.z, out.pdf, out.weight);
+}
+void expect_written(std::size_t count, const Evaluations& out) noexcept {
+  expect_written(count, out.f_cos, out.pdf);
+}
+void expect_written(std::size_t count, const DielectricSamples& out) noexcept {
+  expect_written(count, out.wi.x, out.wi.y, out.wi.z, out.pdf, out.weight, out.side);
+}
+
 const SurfaceKernels<Columns2>& plain(ReflectionOptions options = {}) {
   const KernelTable& kernels = *active().kernels;
-  return (options.bounded ? kernels.bounded : kernels.plain)[static_cast<int>(options.masking)];
+  return of(options.bounded ? kernels.bounded : kernels.plain, options.masking);
 }
 
 }  // namespace
 
 void sample_normals(Warp warp, std::size_t count, const Columns3& wo, const Columns2& alpha, const Columns2& u,
                     const Out3& wm) noexcept {
-  plain().sample_normals[static_cast<int>(warp)](count, wo, alpha, u, wm);
+  expect_written(count, wm);
+  of(plain().sample_normals, warp)(count, wo, alpha, u, wm);
 }
 
 void sample_disk(DiskMap map, std::size_t count, const Columns2& u, const Out2& t) noexcept {
-  active().kernels->sample_disk[static_cast<int>(map)](count, u, t);
+  expect_written(count, t.x, t.y);
+  of(active().kernels->sample_disk, map)(count, u, t);
 }
 
 void sample_reflection(Warp warp, std::size_t count, const Columns3& wo, const Columns2& alpha, const Columns2& u,
                        const ReflectionSamples& out, const ReflectionOptions& options) noexcept {
-  plain(options).sample_reflection[static_cast<int>(warp)](count, wo, alpha, u, out);
+  expect_written(count, out);
+  of(plain(options).sample_reflection, warp)(count, wo, alpha, u, out);
 }
 
 void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& wi, const Columns2& alpha,
                          const Evaluations& out, const ReflectionOptions& options) noexcept {
+  expect_written(count, out);
   plain(options).evaluate_reflection(count, wo, wi, alpha, out);
 }
 
 void pdf_normals(std::size_t count, const Columns3& wo, const Columns3& wm, const Columns2& alpha,
                  float* pdf) noexcept {
+  expect_written(count, pdf);
   plain().pdf_normals(count, wo, wm, alpha, pdf);
 }
 
 void sample_dielectric(Warp warp, std::size_t count, const Columns3& wo, const Columns2& alpha, const Column& eta,
                        const Columns3& u, const DielectricSamples& out, Masking masking) noexcept {
-  plain({masking}).sample_dielectric[static_cast<int>(warp)](count, wo, alpha, eta, u, out);
+  expect_written(count, out);
+  of(plain({masking}).sample_dielectric, warp)(count, wo, alpha, eta, u, out);
 }
 
 void evaluate_dielectric(std::size_t count, const Columns3& wo, const Columns3& wi, const Columns2& alpha,
                          const Column& eta, const Evaluations& out, Masking masking) noexcept {
+  expect_written(count, out);
   plain({masking}).evaluate_dielectric(count, wo, wi, alpha, eta, out);
 }
 
@@ -125,7 +160,7 @@ void with_cheapest(const Ellipsoid& e, F f) {
   const KernelTable& kernels = *active().kernels;
   bool turned = zero(e.theta_x) && zero(e.theta_y);
   if (turned && zero(e.theta_z))
-    f(kernels.plain[static_cast<int>(Masking::separable)], e.alpha);  // what eq. 6 becomes without theta_x and theta_y
+    f(of(kernels.plain, Masking::separable), e.alpha);  // what eq. 6 becomes without theta_x and theta_y
   else if (constant(e.alpha.x) && constant(e.alpha.y) && constant(e.theta_x) && constant(e.theta_y) &&
            constant(e.theta_z))
     f(kernels.one_shape, shape_of(e));
@@ -139,63 +174,75 @@ void with_cheapest(const Ellipsoid& e, F f) {
 
 void sample_normals(Warp warp, std::size_t count, const Columns3& wo, const Shape& shape, const Columns2& u,
                     const Out3& wm) noexcept {
-  active().kernels->one_shape.sample_normals[static_cast<int>(warp)](count, wo, shape, u, wm);
+  expect_written(count, wm);
+  of(active().kernels->one_shape.sample_normals, warp)(count, wo, shape, u, wm);
 }
 void sample_normals(Warp warp, std::size_t count, const Columns3& wo, const Ellipsoid& ellipsoid, const Columns2& u,
                     const Out3& wm) noexcept {
+  expect_written(count, wm);
   with_cheapest(ellipsoid, [&](const auto& kernels, const auto& shape) {
-    kernels.sample_normals[static_cast<int>(warp)](count, wo, shape, u, wm);
+    of(kernels.sample_normals, warp)(count, wo, shape, u, wm);
   });
 }
 
 void sample_reflection(Warp warp, std::size_t count, const Columns3& wo, const Shape& shape, const Columns2& u,
                        const ReflectionSamples& out) noexcept {
-  active().kernels->one_shape.sample_reflection[static_cast<int>(warp)](count, wo, shape, u, out);
+  expect_written(count, out);
+  of(active().kernels->one_shape.sample_reflection, warp)(count, wo, shape, u, out);
 }
 void sample_reflection(Warp warp, std::size_t count, const Columns3& wo, const Ellipsoid& ellipsoid, const Columns2& u,
                        const ReflectionSamples& out) noexcept {
+  expect_written(count, out);
   with_cheapest(ellipsoid, [&](const auto& kernels, const auto& shape) {
-    kernels.sample_reflection[static_cast<int>(warp)](count, wo, shape, u, out);
+    of(kernels.sample_reflection, warp)(count, wo, shape, u, out);
   });
 }
 
 void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& wi, const Shape& shape,
                          const Evaluations& out) noexcept {
+  expect_written(count, out);
   active().kernels->one_shape.evaluate_reflection(count, wo, wi, shape, out);
 }
 void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& wi, const Ellipsoid& ellipsoid,
                          const Evaluations& out) noexcept {
+  expect_written(count, out);
   with_cheapest(ellipsoid, [&](const auto& kernels, const auto& shape) {
     kernels.evaluate_reflection(count, wo, wi, shape, out);
   });
 }
 
 void pdf_normals(std::size_t count, const Columns3& wo, const Columns3& wm, const Shape& shape, float* pdf) noexcept {
+  expect_written(count, pdf);
   active().kernels->one_shape.pdf_normals(count, wo, wm, shape, pdf);
 }
 void pdf_normals(std::size_t count, const Columns3& wo, const Columns3& wm, const Ellipsoid& ellipsoid,
                  float* pdf) noexcept {
+  expect_written(count, pdf);
   with_cheapest(ellipsoid,
                 [&](const auto& kernels, const auto& shape) { kernels.pdf_normals(count, wo, wm, shape, pdf); });
 }
 
 void sample_dielectric(Warp warp, std::size_t count, const Columns3& wo, const Shape& shape, const Column& eta,
                        const Columns3& u, const DielectricSamples& out) noexcept {
-  active().kernels->one_shape.sample_dielectric[static_cast<int>(warp)](count, wo, shape, eta, u, out);
+  expect_written(count, out);
+  of(active().kernels->one_shape.sample_dielectric, warp)(count, wo, shape, eta, u, out);
 }
 void sample_dielectric(Warp warp, std::size_t count, const Columns3& wo, const Ellipsoid& ellipsoid, const Column& eta,
                        const Columns3& u, const DielectricSamples& out) noexcept {
+  expect_written(count, out);
   with_cheapest(ellipsoid, [&](const auto& kernels, const auto& shape) {
-    kernels.sample_dielectric[static_cast<int>(warp)](count, wo, shape, eta, u, out);
+    of(kernels.sample_dielectric, warp)(count, wo, shape, eta, u, out);
   });
 }
 
 void evaluate_dielectric(std::size_t count, const Columns3& wo, const Columns3& wi, const Shape& shape,
                          const Column& eta, const Evaluations& out) noexcept {
+  expect_written(count, out);
   active().kernels->one_shape.evaluate_dielectric(count, wo, wi, shape, eta, out);
 }
 void evaluate_dielectric(std::size_t count, const Columns3& wo, const Columns3& wi, const Ellipsoid& ellipsoid,
                          const Column& eta, const Evaluations& out) noexcept {
+  expect_written(count, out);
   with_cheapest(ellipsoid, [&](const auto& kernels, const auto& shape) {
     kernels.evaluate_dielectric(count, wo, wi, shape, eta, out);
   });

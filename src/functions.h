@@ -9,7 +9,7 @@ namespace {
 
 struct Plain {
   using S = Columns2;
-  template <std::size_t kAlpha, std::size_t kTheta, std::size_t kLanes, class T>
+  template <std::size_t kAlpha, std::size_t kTheta, std::size_t kLanes>
   using Surfaces = Surface<GivenFrame, AlphaColumns<kAlpha>>;
   template <std::size_t kAlpha, std::size_t kTheta>
   using ForPairs = Surface<GivenFrame, AlphaColumns<kAlpha>>;
@@ -25,8 +25,8 @@ struct Plain {
 
 struct OneShapes {
   using S = Shape;
-  template <std::size_t kAlpha, std::size_t kTheta, std::size_t kLanes, class T>
-  using Surfaces = Surface<GivenFrame, OneShape<T>>;
+  template <std::size_t kAlpha, std::size_t kTheta, std::size_t kLanes>
+  using Surfaces = Surface<GivenFrame, OneShape>;
   template <std::size_t kAlpha, std::size_t kTheta>
   using ForPairs = Surface<GivenFrame, OneShapeForPairs>;
 
@@ -59,31 +59,27 @@ struct EllipsoidColumns {
   static VNDF_INLINE const Columns2& alpha(const Ellipsoid& ellipsoid) { return ellipsoid.alpha; }
 };
 struct AllTurned : EllipsoidColumns<&Ellipsoid::theta_z> {
-  template <std::size_t kAlpha, std::size_t kTheta, std::size_t kLanes, class T>
-  using Surfaces = Surface<TurnedFrame<kTheta, kLanes, T>, AlphaColumns<kAlpha>>;
+  template <std::size_t kAlpha, std::size_t kTheta, std::size_t kLanes>
+  using Surfaces = Surface<TurnedFrame<kTheta, kLanes>, AlphaColumns<kAlpha>>;
   template <std::size_t kAlpha, std::size_t kTheta>
   using ForPairs = Surface<GivenFrame, TurnedColumns<kAlpha, kTheta>>;
 };
 struct AllTilted : EllipsoidColumns<&Ellipsoid::theta_x, &Ellipsoid::theta_y, &Ellipsoid::theta_z> {
-  template <std::size_t kAlpha, std::size_t kTheta, std::size_t kLanes, class T>
-  using Surfaces = Surface<GivenFrame, TiltedColumns<kAlpha, kTheta, kLanes, T>>;
+  template <std::size_t kAlpha, std::size_t kTheta, std::size_t kLanes>
+  using Surfaces = Surface<GivenFrame, TiltedColumns<kAlpha, kTheta, kLanes>>;
   template <std::size_t kAlpha, std::size_t kTheta>
-  using ForPairs = Surface<GivenFrame, TiltedColumns<kAlpha, kTheta, kBlock, lanes::Split<F>>>;
+  using ForPairs = Surface<GivenFrame, TiltedColumns<kAlpha, kTheta, kBlock>>;
 };
 
 template <Warp warp, class Surface>
 using Normals =
     std::conditional_t<warp == Warp::spherical_cap, NormalsOnCap<Surface>, NormalsOnDisk<kDiskMap<warp>, Surface>>;
 
-/// See sample_normal_cap.
-template <Warp warp>
-using Elements = std::conditional_t<warp == Warp::spherical_cap, F, lanes::Split<F>>;
-
 template <class Kind, Warp warp>
 void sample_normals(std::size_t count, const Columns3& wo, const typename Kind::S& shape, const Columns2& u,
                     const Out3& wm) noexcept {
   const Columns2& alpha = Kind::alpha(shape);
-  Kind::template run<Normals<warp, typename Kind::template Surfaces<3, 7, kBlock, Elements<warp>>>>(
+  Kind::template run<Normals<warp, typename Kind::template Surfaces<3, 7, kBlock>>>(
       count, {&wo.x, &wo.y, &wo.z, &alpha.x, &alpha.y, &u.x, &u.y}, shape, {wm.x, wm.y, wm.z});
 }
 
@@ -97,8 +93,7 @@ template <class Kind, class Masked, bool bounded, Warp warp>
 void sample_reflection(std::size_t count, const Columns3& wo, const typename Kind::S& shape, const Columns2& u,
                        const ReflectionSamples& out) noexcept {
   const Columns2& alpha = Kind::alpha(shape);
-  Kind::template run<
-      ReflectionKernel<warp, bounded, Masked, typename Kind::template Surfaces<3, 7, kShadingBlock, Elements<warp>>>>(
+  Kind::template run<ReflectionKernel<warp, bounded, Masked, typename Kind::template Surfaces<3, 7, kShadingBlock>>>(
       count, {&wo.x, &wo.y, &wo.z, &alpha.x, &alpha.y, &u.x, &u.y}, shape,
       {out.wi.x, out.wi.y, out.wi.z, out.pdf, out.weight, out.wm.x, out.wm.y, out.wm.z, out.wo_dot_wm});
 }
@@ -123,8 +118,7 @@ template <class Kind, class Masked, Warp warp>
 void sample_dielectric(std::size_t count, const Columns3& wo, const typename Kind::S& shape, const Column& eta,
                        const Columns3& u, const DielectricSamples& out) noexcept {
   const Columns2& alpha = Kind::alpha(shape);
-  Kind::template run<
-      DielectricKernel<warp, Masked, typename Kind::template Surfaces<3, 9, kShadingBlock, Elements<warp>>>>(
+  Kind::template run<DielectricKernel<warp, Masked, typename Kind::template Surfaces<3, 9, kShadingBlock>>>(
       count, {&wo.x, &wo.y, &wo.z, &alpha.x, &alpha.y, &u.x, &u.y, &eta, &u.z}, shape,
       {out.wi.x, out.wi.y, out.wi.z, out.pdf, out.weight, out.side});
 }

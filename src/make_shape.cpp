@@ -18,7 +18,7 @@ Shape shape_of(const Ellipsoid& constants) noexcept {
 }
 
 ShapeError make_shape(const float (&a)[9], Shape& shape) noexcept {
-  constexpr double kFlat = 0x1p-40, kSmallest = 0x1p-40, kLargest = 0x1p40;
+  constexpr double kFlat = 0x1p-40, kSmallest = 0x1p-26, kLargest = 0x1p26;
   double largest = 0;
   for (float value : a) {
     if (!std::isfinite(value)) return ShapeError::not_finite;
@@ -56,7 +56,7 @@ const char* message(ShapeError error) noexcept {
     case ShapeError::not_positive:
       return "the determinant of the matrix is not positive, or vanishes beside the lengths of its columns";
     case ShapeError::out_of_range:
-      return "the ellipsoid is too flat, too long or too skewed: reduced to A n = n, its matrix leaves 2^-40 to 2^40";
+      return "the ellipsoid is too flat, too long or too skewed: reduced to A n = n, its matrix leaves 2^-26 to 2^26";
   }
   return "not an error of this library";
 }

@@ -36,7 +36,7 @@ struct NormalsOnDisk {
       in.template prefetch<5>(i);
       auto view = disk.view(i);
       auto t = disk.chord(i);
-      normals.store(i, reproject(view, t, squish(view, t)));
+      normals.store(i, reproject(view, t).nh);
     }
     for (std::size_t i = 0; i < n; i += kWidth) {
       in.template prefetch<6>(i);
@@ -49,20 +49,21 @@ template <class Surface>
 struct NormalsOnCap {
   static constexpr std::size_t kLanes = kBlock;
   Surface surface;
-  Staged<lanes::CapAtView<F>> caps;
+  StretchStage<AsGiven, Surface, kBlock> stretched;
+  Staged<lanes::CapView<F>> views;
   Staged<Vec3<F>> normals;
 
   template <std::size_t N>
   VNDF_INLINE void operator()(const Inputs<N>& in, const Outputs<3>& wm, std::size_t n) {
     surface.prepare(in, n);
+    stretched.run(in, surface, n);
     for (std::size_t i = 0; i < n; i += kWidth) {
       in.template prefetch<0, 1, 2>(i);
-      caps.store(i, visible_cap_of(stretch(surface.frame.wo(in, i), surface.shape.load(in, i))));
+      views.store(i, lanes::cap_view(stretched.load(in, surface, i), azimuth_of(surface.shape.at(in, i))));
     }
     for (std::size_t i = 0; i < n; i += kWidth) {
       in.template prefetch<5, 6>(i);
-      Vec2<F> u = load_u(in, i);
-      normals.store(i, on_visible_cap(caps.load(i), lanes::sincos2pi(u.x), u.y));
+      normals.store(i, on_cap(views.load(i), lanes::cap_map(load_u(in, i))).nh);
     }
     for (std::size_t i = 0; i < n; i += kWidth) {
       in.template prefetch<3, 4>(i);

@@ -3,7 +3,6 @@
 
 namespace {
 
-using lanes::Facet;
 namespace op = lanes::op;
 
 /// The stages of the shading step hand one another more than those of the normals do: half a block at a time keeps it
@@ -24,51 +23,67 @@ class FacetsOnDisk {
     disk_.run(in, surface, n);
     for (std::size_t i = 0; i < n; i += kWidth) {
       in.template prefetch<5, 6>(i);
-      facets_.store(i, sample_on_chord(disk_.view(i), disk_.length(i), disk_.chord(i)));
+      facets_.store(i, sample_on_chord(disk_.view(i), disk_.size(i).length, disk_.chord(i)));
     }
   }
-  VNDF_INLINE Facet<F> load(std::size_t i, F wo_z) const {
-    return facet_of(facets_.load(i), disk_.length(i), disk_.area(i, wo_z));
-  }
+  VNDF_INLINE lanes::Facet<F> load(std::size_t i) const { return facets_.load(i); }
+  VNDF_INLINE lanes::ViewSize<F> size(std::size_t i) const { return disk_.size(i); }
 
  private:
   DiskStages<kDiskMap<warp>, View, Surface, kShadingBlock, true> disk_;
-  StagedForShading<lanes::ChordFacet<F>> facets_;
+  StagedForShading<lanes::Facet<F>> facets_;
 };
 
-/// Visible normals from a spherical cap, on which the warp lays the square, or the disk by Lambert's map.
+template <Warp warp>
+VNDF_INLINE lanes::CapPoint<F> map_cap(Vec2<F> u) {
+  if constexpr (warp == Warp::polar)
+    return lanes::polar_cap_map(u);
+  else if constexpr (warp == Warp::concentric)
+    return lanes::concentric_cap_map(lanes::wedge_of(u));
+  else
+    return lanes::cap_map(u);
+}
+
+/// Visible normals from a spherical cap, on which the warp of bounded sampling lays the square, or the disk by
+/// Lambert's map.
 template <Warp warp, bool bounded, class View, class Surface>
 class FacetsOnCap {
  public:
   template <std::size_t N>
   VNDF_INLINE void sample(const Inputs<N>& in, const Surface& surface, std::size_t n) {
+    stretched_.run(in, surface, n);
     for (std::size_t i = 0; i < n; i += kWidth) {
       in.template prefetch<0, 1, 2>(i);
-      Vec3<F> wo = View::view(surface.frame.wo(in, i));
-      const auto& shape = surface.shape.load(in, i);
-      if constexpr (bounded)
-        caps_.store(i, bounded_cap_to_reflect(wo, shape));
-      else
-        caps_.store(i, visible_cap_to_reflect(wo, shape));
+      Vec3<F> h = stretched_.load(in, surface, i);
+      auto view = lanes::cap_view(h, azimuth_of(surface.shape.at(in, i)));
+      views_.store(i, view);
+      if constexpr (bounded) {
+        auto bound = lanes::reflection_bound(surface.frame.wo(in, i), surface.shape.at(in, i));
+        bounds_.store(i, bound);
+        sizes_.store(i, lanes::bounded_size(view, h.z, bound));
+      } else {
+        sizes_.store(i, lanes::visible_size<Surface::kUpright>(view, h.z));
+      }
     }
     for (std::size_t i = 0; i < n; i += kWidth) {
       in.template prefetch<5, 6>(i);
-      Vec2<F> u = load_u(in, i);
-      if constexpr (warp == Warp::spherical_cap) {
-        normals_.store(i, sample_on_cap(caps_.load(i), u.y, F(1.f) - u.y, lanes::sincos2pi(u.x)));
-      } else {
-        auto t = map_disk<kDiskMap<warp>>(u);
-        normals_.store(i, sample_on_cap(caps_.load(i), t.r2, t.e, t.phi));
-      }
+      auto view = views_.load(i);
+      auto c = map_cap<warp>(load_u(in, i));
+      if constexpr (bounded)
+        facets_.store(i, lanes::facet_of(on_bounded_cap(view, bounds_.load(i), c), view));
+      else
+        facets_.store(i, lanes::facet_of(on_cap(view, c), view));
     }
   }
-  VNDF_INLINE Facet<F> load(std::size_t i, F) const { return facet_of(normals_.load(i), caps_.load(i)); }
+  VNDF_INLINE lanes::CapFacet<F> load(std::size_t i) const { return facets_.load(i); }
+  VNDF_INLINE lanes::ViewSize<F> size(std::size_t i) const { return sizes_.load(i); }
 
  private:
-  using Cap = std::conditional_t<bounded, lanes::BoundedCapToReflect<F>,
-                                 std::conditional_t<Surface::kUpright, lanes::CapToReflect<F>, lanes::CapAtView<F>>>;
-  StagedForShading<Cap> caps_;
-  StagedForShading<Vec3<F>> normals_;
+  StretchStage<View, Surface, kShadingBlock> stretched_;
+  StagedForShading<lanes::CapView<F>> views_;
+  StagedForShading<lanes::Bound<F>> bounds_;
+  StagedForShading<lanes::ViewSize<F>> sizes_;
+  StagedForShading<lanes::CapFacet<F>> facets_;
 };
 
 template <Warp warp, bool bounded, class View, class Surface>
@@ -110,19 +125,18 @@ class ReflectionKernel {
     for (std::size_t i = 0; i < n; i += kWidth) {
       Vec3<F> wo = surface.frame.wo(in, i);
       const auto& shape = surface.shape.load(in, i);
-      auto facet = facets_.load(i, wo.z);
-      auto normal = normal_of(facet, shape);
-      directions_.store(i, {reflect(wo, facet, normal), spread(facet, normal, shape)});
-      if constexpr (with_normals) normals_.store(i, unit_normal(facet, normal, surface.frame.theta_z(i)));
+      auto facet = facets_.load(i);
+      auto normal = normal_of(wo, facet, shape);
+      directions_.store(i, {reflect(wo, normal), spread(facet.nh, normal, facets_.size(i).area, shape)});
+      if constexpr (with_normals) normals_.store(i, unit_normal(normal, surface.frame.theta_z(i)));
     }
     for (std::size_t i = 0; i < n; i += kWidth)
       lights_.store(i, Masked::light(directions_.load(i).wi, surface.shape.load(in, i)));
     for (std::size_t i = 0; i < n; i += kWidth) {
       F wo_z = in.template load<2>(i);
-      auto facet = facets_.load(i, wo_z);
       auto direction = directions_.load(i);
-      auto sample = lanes::weigh_reflection<Masked>(wo_z, facet.length, facet.area, direction.wi.z, direction.spread,
-                                                    lights_.load(i));
+      auto sample =
+          lanes::weigh_reflection<Masked>(wo_z, facets_.size(i), direction.wi.z, direction.spread, lights_.load(i));
       Vec3<F> wi = turn_back(direction.wi, surface.frame.theta_z(i));
       if constexpr (with_normals) {
         auto normal = normals_.load(i);

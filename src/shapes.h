@@ -13,8 +13,7 @@
 //
 // and kUpright, whether (A v).z is v.z. Those that only serve given pairs have no at and load.
 //
-// kAlpha is the column of alpha_x, alpha_y follows it; kTheta that of the first angle. T is Split<F>, or F for the cap,
-// where the products with the view may be those of floats.
+// kAlpha is the column of alpha_x, alpha_y follows it; kTheta that of the first angle.
 #pragma once
 
 #include "shape_access.h"
@@ -33,24 +32,24 @@ struct GivenFrame {
 };
 
 /// Calls f(i, rotation) for the angles of a column.
-template <std::size_t kTheta, class T, std::size_t N, class Function>
+template <std::size_t kTheta, std::size_t N, class Function>
 VNDF_INLINE void for_each_rotation(const Inputs<N>& in, std::size_t n, Function f) {
   for_each_ahead(
       n, [&](std::size_t i) { return lanes::reduce_angle(in.template load<kTheta>(i)); },
       [&](std::size_t i, const lanes::ReducedAngle<F>& theta) {
         in.template prefetch<kTheta>(i);
-        f(i, lanes::rotation_of<T>(theta));
+        f(i, lanes::rotation_of(theta));
       });
 }
 
-template <std::size_t kTheta, std::size_t kLanes, class T>
+template <std::size_t kTheta, std::size_t kLanes>
 class TurnedFrame {
  public:
   template <std::size_t N>
   VNDF_INLINE void prepare(const Inputs<N>& in, std::size_t n) {
-    for_each_rotation<kTheta, T>(in, n, [&](std::size_t i, const lanes::Rotation<F>& rotation) {
+    for_each_rotation<kTheta>(in, n, [&](std::size_t i, const lanes::Rotation<F>& rotation) {
       angles_.store(i, lanes::angle_of<F>(rotation));
-      Vec3<F> wo = lanes::turn_as<T>(load_wo(in, i), rotation);
+      Vec3<F> wo = lanes::turn(load_wo(in, i), rotation);
       turned_.store(i, {wo.x, wo.y});
     });
   }
@@ -94,25 +93,13 @@ VNDF_INLINE lanes::Tilted<F> for_all_lanes(const Shape& shape) {
   return {F(a.xx), all(a.yx), all(a.yy), all(a.zx), all(a.zy), {F(a.azimuth.cos), F(a.azimuth.sin)}};
 }
 
-/// What a shape is for the way back, and for the cap altogether.
-template <class T>
-using Narrowed = std::conditional_t<std::is_same_v<T, F>, lanes::TiltedForCap<F>, lanes::Tilted<F, F>>;
-template <class T>
-VNDF_INLINE Narrowed<T> narrowed_for(const lanes::Tilted<F>& shape) {
-  if constexpr (std::is_same_v<T, F>)
-    return for_cap(shape);
-  else
-    return narrowed(shape);
-}
-
-template <class T>
 class OneShape {
  public:
   static constexpr bool kUpright = false;
 
   VNDF_INLINE void set(const Shape& shape) {
     shape_ = for_all_lanes(shape);
-    narrowed_ = narrowed_for<T>(shape_);
+    narrowed_ = narrowed(shape_);
   }
 
   template <std::size_t N>
@@ -123,13 +110,13 @@ class OneShape {
     return shape_;
   }
   template <std::size_t N>
-  VNDF_INLINE const Narrowed<T>& load(const Inputs<N>&, std::size_t) const {
+  VNDF_INLINE const lanes::Tilted<F, F>& load(const Inputs<N>&, std::size_t) const {
     return narrowed_;
   }
 
  private:
   lanes::Tilted<F> shape_;
-  Narrowed<T> narrowed_;
+  lanes::Tilted<F, F> narrowed_;
 };
 
 /// The same for given pairs of directions.
@@ -151,7 +138,7 @@ class OneShapeForPairs {
 };
 
 /// The columns of alpha and of all angles.
-template <std::size_t kAlpha, std::size_t kTheta, std::size_t kLanes, class T>
+template <std::size_t kAlpha, std::size_t kTheta, std::size_t kLanes>
 class TiltedColumns {
  public:
   static constexpr bool kUpright = false;
@@ -160,12 +147,8 @@ class TiltedColumns {
   VNDF_INLINE void prepare(const Inputs<N>& in, std::size_t n) {
     for (std::size_t i = 0; i < n; i += kWidth) {
       in.template prefetch<kTheta, kTheta + 1, kTheta + 2>(i);
-      auto shape = lanes::tilted_shape(AlphaColumns<kAlpha>::at(in, i), in.template load<kTheta>(i),
-                                       in.template load<kTheta + 1>(i), in.template load<kTheta + 2>(i));
-      if constexpr (kForCap)
-        shapes_.store(i, for_cap(shape));
-      else
-        shapes_.store(i, shape);
+      shapes_.store(i, lanes::tilted_shape(AlphaColumns<kAlpha>::at(in, i), in.template load<kTheta>(i),
+                                           in.template load<kTheta + 1>(i), in.template load<kTheta + 2>(i)));
     }
   }
   template <std::size_t N>
@@ -173,11 +156,8 @@ class TiltedColumns {
     return shapes_.load(i);
   }
   template <std::size_t N>
-  VNDF_INLINE Narrowed<T> load(const Inputs<N>&, std::size_t i) const {
-    if constexpr (kForCap)
-      return shapes_.load(i);
-    else
-      return narrowed(shapes_.load(i));
+  VNDF_INLINE lanes::Tilted<F, F> load(const Inputs<N>&, std::size_t i) const {
+    return narrowed(shapes_.load(i));
   }
   template <std::size_t N>
   VNDF_INLINE lanes::TiltedForPairs<F> for_pair(const Inputs<N>&, std::size_t i) const {
@@ -185,8 +165,7 @@ class TiltedColumns {
   }
 
  private:
-  static constexpr bool kForCap = std::is_same_v<T, F>;
-  Staged<std::conditional_t<kForCap, lanes::TiltedForCap<F>, lanes::Tilted<F>>, kLanes> shapes_;
+  Staged<lanes::Tilted<F>, kLanes> shapes_;
 };
 
 /// Plain GGX in turned frames, for given pairs of directions.
@@ -197,7 +176,7 @@ class TurnedColumns {
 
   template <std::size_t N>
   VNDF_INLINE void prepare(const Inputs<N>& in, std::size_t n) {
-    for_each_rotation<kTheta, lanes::Split<F>>(in, n, [&](std::size_t i, const lanes::Rotation<F>& rotation) {
+    for_each_rotation<kTheta>(in, n, [&](std::size_t i, const lanes::Rotation<F>& rotation) {
       shapes_.store(i, turned_shape(AlphaColumns<kAlpha>::at(in, i), rotation));
     });
   }

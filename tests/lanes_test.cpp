@@ -65,9 +65,9 @@ class EllipsoidLanes {
   }
   void expect_bits() {
     // a: view, shape, u, theta_z of the frame
-    expect_normals<lanes::Split<F>>(Warp::polar, [](auto... a) { return lanes::sample_normal_polar(a...); });
-    expect_normals<lanes::Split<F>>(Warp::concentric, [](auto... a) { return lanes::sample_normal_concentric(a...); });
-    expect_normals<F>(Warp::spherical_cap, [](auto... a) { return lanes::sample_normal_cap(a...); });
+    expect_normals(Warp::polar, [](auto... a) { return lanes::sample_normal_polar(a...); });
+    expect_normals(Warp::concentric, [](auto... a) { return lanes::sample_normal_concentric(a...); });
+    expect_normals(Warp::spherical_cap, [](auto... a) { return lanes::sample_normal_cap(a...); });
     for (bool turned : {false, true}) {
       evaluate_reflection(kCount, wo(), {column(10), column(11), column(12)}, ellipsoid(turned),
                           {batch_[0].data(), batch_[1].data()});
@@ -108,15 +108,15 @@ class EllipsoidLanes {
       lanes::op::store(result.z, lane_[2].data() + i);
     }
   }
-  template <class T, class Sample>
+  template <class Sample>
   void expect_normals(Warp warp, Sample sample) {
     for (bool turned : {false, true}) {
       sample_normals(warp, kCount, wo(), ellipsoid(turned), {column(8), column(9)},
                      {batch_[0].data(), batch_[1].data(), batch_[2].data()});
       each([&](std::size_t i, const V& v, const A& alpha) {
         A u{load(8, i), load(9, i)};
-        return turned ? lanes::sample_in_turned_frame<T>(
-                            v, load(7, i), [&](V wo, auto theta_z) { return sample(wo, alpha, u, theta_z); })
+        return turned ? lanes::sample_in_turned_frame(v, load(7, i),
+                                                      [&](V wo, auto theta_z) { return sample(wo, alpha, u, theta_z); })
                       : sample(v, shape(alpha, i), u, lanes::XAxis{});
       });
       EXPECT_TRUE(same_bits(batch_, lane_)) << int(warp) << " " << turned;

@@ -63,9 +63,15 @@ TEST(Oracle, KnownNormals) {
       {Warp::concentric, {0, 0, 1}, {1, 1}, {1, 0.5f}, {0, 1, 0}},
       // alpha scales the horizontal components: (0, h, h) becomes (0, h / 2, h).
       {Warp::polar, {0, 0, 1}, {1, 0.5f}, {0.5f, 0}, {0, 1 / std::sqrt(5.), 2 / std::sqrt(5.)}},
-      // The cap's top and its rim: half vectors of the view with +z and with a horizontal direction.
+      // The cap's top and its rim: half vectors of the view with +z and with a horizontal direction, a quarter turn on
+      // from opposite to the view.
       {Warp::spherical_cap, {1, 0, 0}, {1, 1}, {0, 0}, {h, 0, h}},
-      {Warp::spherical_cap, {1, 0, 0}, {1, 1}, {0.25f, 1}, {h, h, 0}},
+      {Warp::spherical_cap, {1, 0, 0}, {1, 1}, {0.25f, 1}, {h, -h, 0}},
+      {Warp::spherical_cap, {0, 1, 0}, {1, 1}, {0.25f, 1}, {h, h, 0}},
+      {Warp::spherical_cap, {1, 0, 0}, {1, 1}, {0.5f, 1}, {1, 0, 0}},
+      // Opposite to a view along +z is -x.
+      {Warp::spherical_cap, {0, 0, 1}, {1, 1}, {0, 0.5f}, {-h, 0, h}},
+      {Warp::spherical_cap, {0, 0, 1}, {1, 1}, {0.25f, 0.5f}, {0, -h, h}},
   };
   for (const Row& row : rows) {
     OracleNormal wm = oracle_normal(row.warp, row.wo, row.alpha, row.u);

@@ -16,6 +16,7 @@
 #include "json.h"
 #include "peers.h"
 #include "reference/errors.h"
+#include "reference/ratio.h"
 
 namespace {
 
@@ -81,6 +82,7 @@ struct Row {
   std::size_t nonfinite = 0;
   bool shared_domain = false;
   std::string worst_input;
+  double ratio = -1;  // of our normals, or negative
 };
 
 struct Normals {
@@ -118,6 +120,23 @@ Row compare(const char* implementation, const char* warp, const char* isa, const
   return row;
 }
 
+/// The largest ratio of reference/ratio.h among the first samples: it takes quadruple precision.
+double largest_ratio(Warp warp, const Inputs& in, const Normals& wm) {
+  constexpr std::size_t kSamples = 1 << 12;
+  constexpr Moves view = Moves::outwards, u = Moves::within_one;
+  auto exact = [&](const std::array<exact::Quad, 7>& at) {
+    auto normal = exact::sample_normal(warp, {at[0], at[1], at[2]}, exact::plain(at[3], at[4]), at[5], at[6]);
+    return std::array<Exact, 1>{exact_vector(normal.wm)};
+  };
+  double largest = 0;
+  for (std::size_t i = 0; i < std::min(kSamples, in.size()); ++i) {
+    std::array<float, 7> at{in.wo_x[i], in.wo_y[i], in.wo_z[i], in.alpha_x[i], in.alpha_y[i], in.u_x[i], in.u_y[i]};
+    std::array<Found, 1> found{Found{{wm.x[i], wm.y[i], wm.z[i]}}};
+    keep_larger(largest, ratios<7, 1>(at, {view, view, view, view, view, u, u}, found, exact)[0]);
+  }
+  return largest;
+}
+
 /// The library, on the active instruction set: the others give the same bits, which the tests make sure of.
 std::vector<Row> measure_ours(const HardCase& hard_case, Warp warp, const char* warp_name, std::size_t samples) {
   Inputs in = generate(hard_case, warp, samples, kSeed);
@@ -133,6 +152,7 @@ std::vector<Row> measure_ours(const HardCase& hard_case, Warp warp, const char* 
     oracle = oracle_normals(warp, in);
   }
   std::vector<Row> rows{compare("sample_normals", warp_name, "any", hard_case, in, oracle, wm)};
+  if (!hard_case.no_visible_normal) rows[0].ratio = largest_ratio(warp, in, wm);
   if (!in_shared_domain(in)) return rows;
 
   // Reflections against the exact view reflected at the exact normal. It takes unit views above the horizon.
@@ -202,9 +222,10 @@ void write_row(std::FILE* file, const Row& row) {
   std::fprintf(file, " \"mean_eps\": %s, \"p999_eps\": %s, \"max_eps\": %s, \"norm_eps\": %s, \"slope_error\": %s,",
                number(e.mean).c_str(), number(e.p999).c_str(), number(e.max).c_str(), number(e.max_norm).c_str(),
                row.hard_case->small_alpha ? number(e.max_slope).c_str() : "null");
-  std::fprintf(file, " \"nonfinite\": %zu, \"undefined\": %s, \"shared_domain\": %s, \"worst_input\": \"%s\"}",
+  std::fprintf(file,
+               " \"nonfinite\": %zu, \"undefined\": %s, \"shared_domain\": %s, \"worst_input\": \"%s\", \"ratio\": %s}",
                row.nonfinite, row.hard_case->no_visible_normal ? "true" : "false", row.shared_domain ? "true" : "false",
-               row.worst_input.c_str());
+               row.worst_input.c_str(), row.ratio < 0 ? "null" : number(row.ratio).c_str());
 }
 
 void write(std::FILE* file, const Options& options, const std::vector<Row>& rows) {
@@ -240,9 +261,10 @@ void write(std::FILE* file, const Options& options, const std::vector<Row>& rows
 }
 
 void show(const Row& row) {
-  std::fprintf(stderr, "  %-22s %-13s %-7s %-25s mean %9.3g  p99.9 %9.3g  max %9.3g eps%s\n",
+  std::string ratio = row.ratio < 0 ? "" : "  ratio " + number(row.ratio);
+  std::fprintf(stderr, "  %-22s %-13s %-7s %-25s mean %9.3g  p99.9 %9.3g  max %9.3g eps%s%s\n",
                row.implementation.c_str(), row.warp.c_str(), row.isa.c_str(), row.hard_case->name, row.errors.mean,
-               row.errors.p999, row.errors.max, row.nonfinite ? "  (not all finite)" : "");
+               row.errors.p999, row.errors.max, ratio.c_str(), row.nonfinite ? "  (not all finite)" : "");
 }
 
 std::vector<Row> measure_all(const Options& options) {

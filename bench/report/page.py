@@ -99,16 +99,20 @@ def table(head: list[str], rows: Iterable[tuple[str, list[str]]], words: int = 1
     return f'<div class=wide><table><thead><tr>{top}</tr></thead><tbody>\n{body}</tbody></table></div>\n'
 
 
+def ratio_number(value: Optional[float]) -> str:
+    return "–" if value is None else f"{value:.2f}"
+
+
 def result_cells(result: Result) -> list[str]:
     speed, error = result.speed, result.error
     errors = [error_number(error.mean_eps), error_number(error.p999_eps), error_number(error.max_eps),
               text(nice(error.worst_row)), error_number(error.shared_max_eps),
-              text(nice(error.shared_worst_row))] if error else ["–"] * 6
+              text(nice(error.shared_worst_row)), ratio_number(error.ratio)] if error else ["–"] * 7
     return [number(speed.ns), number(speed.msamples), ratio(result.vs_listing), share(result.roofline_share), *errors]
 
 
 RESULT_HEAD = ["ns", "M/s", "× listing", "of copy", "mean ε", "p99.9 ε", "max ε", "worst hard case",
-               "max ε, shared", "worst of these"]
+               "max ε, shared", "worst of these", "ratio"]
 
 
 def result_table(data: Measurements, results: list[Result]) -> str:
@@ -161,7 +165,7 @@ def all_tables(data: Measurements, source: str, count: int) -> str:
 def error_cells(row: ErrorRow) -> list[str]:
     distances = ["–"] * 3 if row.undefined else [error_number(v) for v in (row.mean_eps, row.p999_eps, row.max_eps)]
     slope = "–" if row.slope_error is None else f"{row.slope_error:.1e}"
-    return [*distances, error_number(row.norm_eps), slope, grouped(row.samples),
+    return [*distances, ratio_number(row.ratio), error_number(row.norm_eps), slope, grouped(row.samples),
             f"<span class=bits>{text(row.worst_input)}</span>"]
 
 
@@ -171,7 +175,7 @@ def error_tables(data: Measurements) -> str:
         rows = [e for e in data.errors if (e.implementation, e.warp, e.isa) == key]
         body = [("", [f'<span title="{text(data.row_notes.get(e.row, ""))}">{text(nice(e.row))}</span>', *error_cells(e)])
                 for e in rows]
-        head = ["hard case", "mean ε", "p99.9 ε", "max ε", "norm ε", "slope", "samples", "worst input"]
+        head = ["hard case", "mean ε", "p99.9 ε", "max ε", "ratio", "norm ε", "slope", "samples", "worst input"]
         title = ", ".join(nice(word) for word in key if word not in ("any", "own"))
         parts.append(f"<details><summary>{text(title)}</summary>{table(head, body)}</details>\n")
     return "".join(parts)
@@ -258,7 +262,9 @@ def render(data: Measurements, figures: Figures, machine: dict[str, Any], source
                     "dot is the worst sample. An ε is 2⁻²⁴, half a unit in the last place of 1: nothing stored in a float "
                     "does much better than 1. A short line at the left says that this case is not hard any more; a dot "
                     "near ten million says that a normal points anywhere. A hollow dot stands for results that are not "
-                    "numbers. The view exactly from below is left out: no normal is visible there, any unit one is right.")
+                    "numbers. The view exactly from below is left out: no normal is visible there, any unit one is right. "
+                    "The ratio in the tables is the error over what the exact normal moves by when each input moves by "
+                    "half a unit of its last place: it tells a steep problem from a bad formula.")
         for svg in figures.error_per_case
     )
     return f"""<!DOCTYPE html>

@@ -51,6 +51,7 @@ class ErrorRow:
     slope_error: Optional[float]
     worst_input: str
     undefined: bool = False  # no single right answer exists: any unit normal will do
+    ratio: Optional[float] = None  # of the normals, reference/ratio.h: how much of the largest loss is the formula's
     shared_domain: bool = False  # unit views above the horizon, alpha at most 1: what every peer promises to accept
 
 
@@ -65,6 +66,7 @@ class ErrorSummary:
     shared_max_eps: Optional[float]  # over the cases of the shared domain
     shared_worst_row: str
     typical_max_eps: Optional[float]  # of the first case, which is not hard
+    ratio: Optional[float]  # the largest of what the error is to what the inputs' rounding moves the exact result by
 
 
 @dataclass(frozen=True)
@@ -166,6 +168,7 @@ def error_row(row: dict[str, Any]) -> ErrorRow:
         slope_error=finite(row.get("slope_error")),
         worst_input=row["worst_input"],
         undefined=row.get("undefined", False),
+        ratio=finite(row.get("ratio")),
         shared_domain=row.get("shared_domain", False),
     )
 
@@ -195,6 +198,7 @@ def summarise(rows: list[ErrorRow]) -> Optional[ErrorSummary]:
         shared_max_eps=shared.max_eps,
         shared_worst_row=shared.row,
         typical_max_eps=rows[0].max_eps,
+        ratio=max((row.ratio for row in rows if row.ratio is not None), default=None),
     )
 
 
@@ -266,6 +270,7 @@ def report_json(machine: dict[str, Any], results: Iterable[Result]) -> dict[str,
             "p999_eps": error.p999_eps if error else None,
             "max_eps": error.max_eps if error else None,
             "worst_row": error.worst_row if error else None,
+            "ratio": error.ratio if error else None,
         }
 
     return {"machine": machine, "results": [row(result) for result in results]}

@@ -46,7 +46,7 @@ enum class ShapeError { none, not_finite, not_positive, out_of_range };
 
 /// Shape of a general matrix A, row by row: eq. 1 with n = +z. A factor, or an orthogonal matrix on the left, changes
 /// nothing: what is kept is the lower triangle with A n = n that they leave of A. |A| must be more than 2^-40 |a1| |a2|
-/// |a3|, with the columns' lengths, the triangle's diagonal between 2^-40 and 2^40 and the rest of it at most 2^40;
+/// |a3|, with the columns' lengths, the triangle's diagonal between 2^-26 and 2^26 and the rest of it at most 2^26;
 /// else `shape` is unchanged, and the answer is the reason.
 [[nodiscard]] ShapeError make_shape(const float (&a)[9], Shape& shape) noexcept;
 
@@ -58,17 +58,14 @@ const char* message(ShapeError error) noexcept;
 ///
 /// wo, u, wm, warp  as there. Views for which A wo points away from A n are sampled as well.
 ///
-/// For theta = 0 the bits of vndf.h; for theta_x = theta_y = 0 its samples in a frame turned about n. Shapes of
-/// make_shape count azimuths on the cap, and those of a view along n, from the normal of A y and A n.
+/// For theta = 0 the bits of vndf.h; for theta_x = theta_y = 0 its samples in a frame turned about n. Azimuths count
+/// from the view's, on the cap from the one opposite; those of a view along n from the x axis of theta_z = 0, and for
+/// shapes of make_shape from the normal of A y and A n.
 ///
-/// Largest error, in eps = 2^-24, against Walter's eq. 34-47 with A itself in quadruple precision, on 2^17 samples of
-/// each row of tests/ellipsoid/accuracy_test.cpp, polar and concentric: for |theta_x|, |theta_y| <= 0.5 and alpha from
-/// 1e-3 to 1 mean 1.1, p99.9 7, largest 19 but where twice what half a unit of the last place of the inputs moves the
-/// exact normal by is more (830), and for u = 0 exactly 2^-26 / alpha. For any angles mean 1.2, p99.9 20, largest 152.
-/// The cap: mean 1.4, p99.9 39, largest 6900; at the rim of the disk mean 6, p99.9 421, largest 94 000; for any angles
-/// mean 1.5, p99.9 60, largest 3100.
+/// Ratio, see vndf.h, against Walter's eq. 34-47 with A itself in quadruple precision: at most 16 for any angles and
+/// alpha up to 1. Beyond, A^T of leaning ellipsoids cancels, and random numbers finer than 2^-24 show it: 72 measured.
 ///
-/// NaN or infinity in any input of a lane, or alpha = 0: unspecified values or NaN in that lane.
+/// alpha = 0 is taken as 2^-60. NaN or infinity in any input of a lane: unspecified values or NaN in that lane.
 void sample_normals(Warp warp, std::size_t count, const Columns3& wo, const Ellipsoid& ellipsoid, const Columns2& u,
                     const Out3& wm) noexcept;
 void sample_normals(Warp warp, std::size_t count, const Columns3& wo, const Shape& shape, const Columns2& u,
@@ -83,9 +80,7 @@ void sample_reflection(Warp warp, std::size_t count, const Columns3& wo, const S
                        const ReflectionSamples& out) noexcept;
 
 /// evaluate_reflection of vndf.h: f_cos = D(h) G1(wo) G1(wi) / (4 wo.z), eq. 4, and the pdf of sample_reflection. Both
-/// are 0 where wo.z < 0 or wi.z <= 0. For theta = 0 as above. Relative error, of pdf_normals times wo.wm: 25 eps, or
-/// 4 + 2 / min(alpha_x, alpha_y) eps where that is more, for alpha up to 1; beyond, 25 or 12 + 6 max(alpha_x, alpha_y)
-/// / min(1, alpha_x, alpha_y).
+/// are 0 where wo.z < 0 or wi.z <= 0. For theta = 0 as above. Ratio at most 16.
 void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& wi, const Ellipsoid& ellipsoid,
                          const Evaluations& out) noexcept;
 void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& wi, const Shape& shape,
@@ -109,8 +104,7 @@ void sample_dielectric(Warp warp, std::size_t count, const Columns3& wo, const S
 
 /// evaluate_dielectric of vndf.h: f(wo, wi) |wi.z| of Walter et al. 2007, eq. 20 and 21, with D of eq. 1 and G of
 /// eq. 7, and the pdf of sample_dielectric. f / eta^2 of the side of wi is symmetric. For theta = 0 as there, f_cos as
-/// the weights. Relative error against these formulas, tests/ellipsoid/dielectric_test.cpp: 4 eps (4 + 2 / alpha)
-/// (1 + 1 / g) / (|h| |wo.wm| |wi.wm|), as there, measured 1.5.
+/// the weights. Ratio at most 16.
 void evaluate_dielectric(std::size_t count, const Columns3& wo, const Columns3& wi, const Ellipsoid& ellipsoid,
                          const Column& eta, const Evaluations& out) noexcept;
 void evaluate_dielectric(std::size_t count, const Columns3& wo, const Columns3& wi, const Shape& shape,

@@ -18,7 +18,20 @@
 //    [0, count) of an output.
 //  - Aliasing: an output may be the same column as an input of the same call (in place), since every input of an index
 //    is read before its outputs are written. Outputs must not overlap one another, nor an input at another offset.
-//  - Every output is written, and none may be a null pointer but those that ReflectionSamples says.
+//  - Every output is written, and none may be a null pointer but those that ReflectionSamples says. That, enumerators
+//  in
+//    their range and a count that an array can have are preconditions: debug builds of the library assert them.
+//  - Results are finite for finite inputs of the stated domains. A density is at most 2^60, and is that for what is a
+//    delta: roughness 0, or an index of 1. Its square is finite too, so the weights of multiple importance sampling are
+//    those of a delta.
+//
+// Accuracy is stated as a ratio, since some inputs are so steep that a distance says nothing: the error of a result
+// over the sum of what the exact result moves by when each input moves by half a unit of its last place, and half a
+// unit of the result's last place. 1 is a correctly rounded result of correctly rounded inputs. The ratios are largest
+// ones, measured by tests/ratio against the papers' plain formulas in quadruple precision: over near-normal, grazing
+// and horizontal views, views below the horizon, floors seen at 89 to 89.9999 degrees, views off unit length by up to
+// 1e-3, alpha from 1e-6 to 100 and eight decades apart, and random numbers of any spacing from 2^-149, 0 and 1
+// included.
 #pragma once
 
 #include <cstddef>
@@ -73,33 +86,28 @@ enum class DiskMap { polar, concentric };
 /// Samples the GGX distribution of visible normals, D_wo(wm) = G1(wo) max(0, wo.wm) D(wm) / wo.z.
 ///
 /// wo     unit view directions; views below the horizon (z < 0) are sampled as Heitz 2018, section 4.2, extends the
-///        distribution to them. Any other length from 1e-30 to 1e30 gives the normal of the direction.
-/// alpha  roughness along x and y, from 1e-30 to 1e4, isotropic or not.
+///        distribution to them. Any other length gives the normal of the direction.
+/// alpha  roughness along x and y, from 1e-30 to 2^24, isotropic or not; accuracy is promised from 1e-6 to 100.
 /// u      uniform random numbers in [0, 1]; both ends are allowed.
 /// wm     unit normals of the upper hemisphere, wm.z >= 0.
 ///
-/// Largest error: the Euclidean distance from the exact normal of the same inputs, in units of 2^-24, over 2^20 samples
-/// of each of 25 hard cases (tests/accuracy_test.cpp): near-normal, grazing and horizontal views, views below the
-/// horizon, the rim of the disk, alpha from 1e-6 to 1 and up to four decades apart, wo from 1e-20 to 1e20 long.
-///  - polar, concentric: bound 40, measured 32; p99.9 bound 8, measured 4.7; mean bound 1.2, measured 0.98. The one
-///    exception is a view below the horizon along the axis of an alpha that is decades below the other, where rounding
-///    wo and alpha alone moves the exact normal by hundreds; the bound there is twice what it moves it. The slope
-///    wm.xy / wm.z is within 1e-3 alpha up to slopes of 1000 alpha, beyond that relatively. For alpha from 1 to 100
-///    the bound is 200, measured 103.
-///  - spherical_cap: mean 0.2 to 1.2 and p99.9 up to 22 in most cases, but single samples reach 1e4, for u2 within
-///    64 x 2^-24 of 1 even 3e5 (p99.9 440): the half vector is a sum, which cancels where the sampled direction is
-///    nearly opposite to the view.
-///  - the norm of every result is within 5 of 1, measured 3.0.
+/// Ratio (see above): polar and concentric at most 6, p99.9 4; spherical_cap 8. The norm of every result is within 5
+/// eps = 5 x 2^-24 of 1. As a distance in eps, over 2^20 samples of each of the hard cases of tests/accuracy_test.cpp,
+/// polar and concentric: mean at most 1.2, p99.9 8, largest 40 but where the inputs' own rounding moves the exact
+/// normal by more.
+///
+/// The spherical cap counts azimuths from the point opposite to the view.
 ///
 /// Special values, each confined to its own lane:
-///  - wo = (0, 0, -1): no normal is visible; some unit normal of the upper hemisphere.
-///  - wo = 0: as a horizontal view along x.
-///  - the tangent of A wo below 2^-32 (polar, concentric): taken as 2^-32, which moves no normal by more than that.
-///  - azimuth (alpha_x wo.x, alpha_y wo.y) below 2^-100 in both components (polar, concentric): taken as +x.
-///  - alpha = 0: the limit of a mirror, (0, 0, 1), unless wo is horizontal.
-///  - negative alpha: as its absolute value, with the normal mirrored in that axis.
-///  - alpha above 1e4: where its square leaves the range of float, a vector shorter than 1; above 1e20, or NaN.
-///  - u outside [0, 1]: a unit normal of no particular distribution, or NaN.
+///  - wo = (0, 0, -1): no normal is visible; some unit normal of the upper hemisphere. So it is for caps where c and
+///    the view are opposite to within 2^-60: u2 = 1 and u1 next to 0 or 1.
+///  - u = 0 and u = 1: the limit.
+///  - wo = 0: some unit normal.
+///  - the tangent of A wo below 2^-46: taken as 2^-46.
+///  - azimuth (alpha_x wo.x, alpha_y wo.y) below 2^-110 in both components: taken as +x.
+///  - alpha below 2^-38: near the rim of the disk towards a mirror's normal. alpha = 0: (0, 0, 1).
+///  - negative alpha: the normal of the view mirrored in that axis, mirrored back.
+///  - u outside [0, 1]: unspecified values or NaN.
 ///  - NaN or infinity in any input of a lane, or |alpha wo| >= 2^126: unspecified values or NaN in that lane.
 ///
 /// Source: Heitz, Sampling the GGX Distribution of Visible Normals, JCGT 7(4), 2018, sections 3 and 4, in the forms
@@ -113,8 +121,8 @@ void sample_normals(Warp warp, std::size_t count, const Columns3& wo, const Colu
 /// t      points (t1, t2). Polar: sqrt(u1) (cos, sin)(2 pi u2), Heitz 2018, eq. 9-10. Concentric: Walter et al. 2015,
 ///        eq. 34-37.
 ///
-/// Largest error of the point over 2^20 random points, in units of 2^-24: polar 3.2, concentric 2.3
-/// (tests/disk_test.cpp).
+/// Largest error of the point over 2^20 random points, in units of 2^-24: polar 3.2, concentric 2.5
+/// (tests/disk_test.cpp). |t|^2 can exceed 1 by 5 x 2^-24.
 ///
 /// u outside [0, 1], infinite or NaN: unspecified values or NaN in that lane.
 void sample_disk(DiskMap map, std::size_t count, const Columns2& u, const Out2& t) noexcept;
@@ -156,21 +164,19 @@ struct ReflectionSamples {
 ///            all the same, and pdf and weight are 0.
 /// pdf        density of wi over solid angle, eq. 17: D(wm) G1(wo) / (4 wo.z), more if bounded.
 /// weight     f(wo, wi) wi.z / pdf without Fresnel's factor, in [0, 1]: G2(wo, wi) / G1(wo), eq. 19, less if bounded.
-/// wm         the normal: for wo.z >= 0 and alpha >= 1e-4 and not bounded the bits of sample_normals.
-/// wo_dot_wm  its cosine to the view, for Fresnel's factor.
+/// wm         the normal: not bounded, the bits of sample_normals.
+/// wo_dot_wm  its cosine to the view, for Fresnel's factor; not above 1 for unit views, and neither is wi.z.
 ///
-/// Error, in eps = 2^-24, measured on 2^18 samples of each hard case of the tests with alpha <= 1, against their
-/// papers' plain formulas in long double and quadruple precision, polar and concentric: wi 34 (Euclidean), 10 for
-/// wo.wm; pdf 35 relative, times 1 + max(alpha) |A^-1 wm|; weight 7 relative, times 1 plus the quotient of the terms
-/// of wi.z and wi.z itself. p99.9 of pdf is 21. For spherical_cap: wi 320, pdf 680, p99.9 17: it loses digits where wm
-/// is nearly perpendicular to wo. pdf agrees with evaluate_reflection for the rounded wi within 16 eps (4 + 2 / alpha)
-/// where wo.wm >= 1/4, and 4 eps (4 + 2 / alpha) / (wo.wm) anywhere.
+/// Ratio: wi, pdf and weight at most 16, wm as for sample_normals, bounded 8. |wi| is within 9 eps of |wo|. The weight
+/// is that of a wi whose z may be 2^-42 off, bounded 2^-25.
+///
+/// pdf agrees with evaluate_reflection for the rounded wi within 16 eps (4 + 2 / alpha) where wo.wm >= 1/4, and
+/// 4 eps (4 + 2 / alpha) / (wo.wm) anywhere, alpha being the smaller one and at most 1.
 ///
 /// Special values, each confined to its own lane:
-///  - alpha below 1e-6: pdf and weight lose accuracy where view and light graze, since squares leave the range of
-///    float; alpha_x = alpha_y = 0: pdf is infinite, wi and weight are a mirror's, or NaN for a horizontal view, and
-///    unspecified for u on the rim of the warp (polar u1 = 1, cap u2 = 1, concentric a 0 or 1).
-///  - negative alpha: as its absolute value.
+///  - alpha_x = 0 or alpha_y = 0, or both: wi is a mirror's, in one direction or in both, and pdf 2^60.
+///  - wo = 0: pdf and weight 0.
+///  - negative alpha: as its absolute value, with the normals that sample_normals gives.
 ///  - wo of another length: wi has that length too, pdf is off by it; bounded, the samples are others.
 ///  - u outside [0, 1], NaN or infinity in any input of a lane: unspecified values or NaN in that lane.
 ///
@@ -194,13 +200,12 @@ struct Evaluations {
 /// f_cos   f(wo, wi) wi.z without Fresnel's factor: D(h) G2(wo, wi) / (4 wo.z), eq. 15.
 /// pdf     density of wi given wo, under the same options as sample_reflection.
 ///
-/// Both are 0 where the pair is impossible: wo.z < 0 or wi.z <= 0.
+/// Both are 0 where the pair is impossible: wo.z < 0, wi.z <= 0, or wo = 0; and where |wo + wi| is below 2^-70.
 ///
-/// Error: relative 16 eps for either, on the hard cases with alpha from 1e-6 to 100, measured as for sample_reflection:
-/// nothing cancels, h = wo + wi is taken as it is.
+/// Ratio at most 8; relative error at most 18 eps for either: nothing cancels, h = wo + wi is taken as it is.
 ///
-/// Special values: alpha = 0 and h = +z: a large value, infinite for wo.z below 3e-4; NaN or infinity in any input of a
-/// lane, or directions far from unit length: unspecified values or NaN in that lane.
+/// Special values: alpha = 0 and h = +z: up to 2^60; NaN or infinity in any input of a lane, or directions far from
+/// unit length: unspecified values or NaN in that lane.
 ///
 /// Source: Heitz 2018, eq. 15 and 17; Eto and Tokuyoshi 2023, eq. 8.
 void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& wi, const Columns2& alpha,
@@ -211,10 +216,10 @@ void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& 
 ///
 /// wo, wm  unit directions.
 /// alpha   roughness along x and y, from 1e-6 to 100; D takes alpha below 2^-60 as 2^-60.
-/// pdf     density of wm over solid angle; 0 where wm.z < 0 or wo.wm <= 0.
+/// pdf     density of wm over solid angle; 0 where wm.z < 0 or wo.wm <= 0, and for wo = 0.
 ///
-/// Error: relative 25 eps / (wo.wm), measured 12 on the hard cases, wo.wm being a sum of products of what is given. The
-/// integral over all wm is 1 within 1e-5.
+/// Ratio at most 8; relative error 18 eps / (wo.wm), wo.wm being a sum of products of what is given. The integral over
+/// all wm is 1 within 1e-5.
 ///
 /// NaN or infinity in any input of a lane: unspecified values or NaN in that lane.
 void pdf_normals(std::size_t count, const Columns3& wo, const Columns3& wm, const Columns2& alpha, float* pdf) noexcept;
@@ -249,14 +254,12 @@ struct DielectricSamples {
 ///
 /// pdf and weight are 0 where wi comes out at the wrong side of the surface.
 ///
-/// Error: wi 14 eps for a given normal if reflected, and 25 eps times 1 + 1 / |cos of refraction| if refracted (cap:
-/// 320 and 25); Fresnel's shares 7 and 4 eps relative, eta near 1 included, times what the angle of total reflection
-/// does to them; pdf agrees with evaluate_dielectric within 16 eps (4 + 2 / alpha) (1 + 1 / g) / (|h| |wo.wm| |wi.wm|),
-/// with h = wo + wi or wo + eta wi and g^2 = eta^2 - 1 + (wo.wm)^2. Refracted wi, and that agreement, times
-/// max(eta, 1 / eta)^2 / 6 where eta is outside [0.4, 2.5].
+/// Ratio: wi, pdf and weight at most 16, for eta from 0.1 to 10, those next to 1 included. Of views off unit length it
+/// counts that as well.
 ///
-/// Special values: eta = 1: all is refracted straight on, weight as ever, pdf infinite, or 0 for a horizontal view. NaN
-/// or infinity in any input of a lane: unspecified values or NaN in that lane.
+/// Special values: |eta - 1| < 2^-16 counts as index-matched: wi = -wo, side -1, weight 1, pdf 2^60. eta that is 0,
+/// negative, NaN, or not between 2^-20 and 2^20: pdf and weight 0. wo = 0: pdf and weight 0. NaN or infinity in any
+/// other input of a lane: unspecified values or NaN in that lane.
 ///
 /// Source: Walter, Marschner, Li and Torrance, Microfacet Models for Refraction through Rough Surfaces, EGSR 2007, with
 /// the normals of Heitz 2018.
@@ -271,10 +274,12 @@ void sample_dielectric(Warp warp, std::size_t count, const Columns3& wo, const C
 ///                     f / eta^2 of the side of wi is symmetric.
 /// pdf                 density of wi given wo.
 ///
-/// Both are 0 where no normal of the upper hemisphere takes the one to the other, and across for eta = 1.
+/// Both are 0 where no normal of the upper hemisphere takes the one to the other, by more than rounding, and for
+/// indices that are matched or impossible.
 ///
-/// Error: that of sample_dielectric's agreement with it. NaN or infinity in any input of a lane: unspecified values or
-/// NaN in that lane.
+/// Ratio at most 8. Fresnel's transmittance is that of both cosines: f / eta^2 is symmetric to 1e-5 relative where
+/// neither cosine to the normal is under 0.01. What sample_dielectric returns with a density evaluates to one, and to
+/// the same but for the rounding of wi. NaN or infinity in any input of a lane: unspecified values or NaN in that lane.
 ///
 /// Source: Walter et al. 2007, eq. 20 and 21.
 void evaluate_dielectric(std::size_t count, const Columns3& wo, const Columns3& wi, const Columns2& alpha,

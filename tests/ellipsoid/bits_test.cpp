@@ -62,9 +62,9 @@ TEST(WantedOutputs, NormalIsThatOfSampleNormals) {
       });
 }
 
-// Finite inputs that are not degenerate give no NaN: unit views, alpha from 1e-6 to 100, any angles, u in [0, 1] with
+// Good inputs give finite results: unit views, alpha from 1e-6 to 100, any angles, u in [0, 1] with
 // both ends.
-TEST(GoodInputs, GiveNoNan) {
+TEST(GoodInputs, GiveFiniteResults) {
   const float views[][3] = {{0, 0, 1},        {0, 0, -1},     {1, 0, 0},           {0, -1, 0},     {0.6f, 0, 0.8f},
                             {0.6f, 0, -0.8f}, {1, 0, 1e-30f}, {1, 1e-20f, 1e-10f}, {1e-20f, 0, 1}, {1e-40f, 0, 1},
                             {0.8f, 0.6f, 0},  {1, 0, -0.f},   {1e-6f, 1e-6f, 1},   {1e-6f, 0, -1}, {1, 0, -1e-30f}};
@@ -92,12 +92,6 @@ TEST(GoodInputs, GiveNoNan) {
   Values e(n), across(n);
   std::vector<float> pdf(n);
   for (const auto& v : views) {
-    // Directions above the surface that are opposite to each other in every digit have no half vector, for plain GGX
-    // neither.
-    auto opposite = [&](const V3<double>& wi) {
-      V3<double> h = V3<double>{v[0], v[1], v[2]} + wi;
-      return v[2] >= 0 && wi.z >= 0 && dot(h, h) < 1e-38;
-    };
     for (const auto& a : alphas)
       for (const auto& t : thetas)
         for (Warp warp : kWarps) {
@@ -115,12 +109,13 @@ TEST(GoodInputs, GiveNoNan) {
                                     e.pdf[i], e.f_cos[i],  pdf[i],    d.wi.x[i],       d.wi.y[i],    d.wi.z[i],
                                     d.pdf[i], d.weight[i], d.side[i], across.f_cos[i], across.pdf[i]};
             for (std::size_t c = 0; c < std::size(values); ++c)
-              ASSERT_FALSE(std::isnan(values[c]) && !(c >= 21 && opposite(d.wi.at(i))))
+              ASSERT_TRUE(std::isfinite(values[c]))
                   << "value " << c << " of view " << v[0] << " " << v[1] << " " << v[2] << " alpha " << a[0] << " "
                   << a[1] << " theta " << t[0] << " " << t[1] << " " << t[2] << " u " << u[0][i] << " " << u[1][i]
                   << " " << u[2][i] << " eta " << u[3][i] << " " << int(warp);
             ASSERT_TRUE(s.weight[i] >= 0 && s.weight[i] <= 1 && d.weight[i] >= 0 && d.weight[i] <= 1);
-            ASSERT_TRUE(s.pdf[i] >= 0 && d.pdf[i] >= 0 && e.pdf[i] >= 0 && !(across.pdf[i] < 0) && pdf[i] >= 0);
+            for (float density : {s.pdf[i], d.pdf[i], e.pdf[i], across.pdf[i], pdf[i]})
+              ASSERT_TRUE(density >= 0 && density <= 0x1p60f) << density;
           }
         }
   }

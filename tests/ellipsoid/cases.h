@@ -95,8 +95,9 @@ inline Parameters parameters(const reference::Inputs& in, const Angles& theta, s
 inline V3<double> exact_normal(Warp warp, const V3<float>& wo, const Parameters& p, const float (&u)[2]) {
   V3<Quad> psi{wo.x, wo.y, wo.z};
   Quad u1 = u[0], u2 = u[1];
-  V3<Quad> m = warp == Warp::spherical_cap ? sample_cap(psi, p, u1, u2)
-                                           : sample_version_3(psi, matrix<Quad>(p), disk_point(warp, u1, u2));
+  M3<Quad> a = matrix<Quad>(p);
+  V3<Quad> m =
+      warp == Warp::spherical_cap ? sample_cap(psi, a, u1, u2) : sample_version_3(psi, a, disk_point(warp, u1, u2));
   return {double(m.x), double(m.y), double(m.z)};
 }
 inline V3<double> exact_normal(Warp warp, const reference::Inputs& in, const Angles& theta, std::size_t i) {

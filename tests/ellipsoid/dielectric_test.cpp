@@ -288,7 +288,8 @@ TEST(Dielectric, HasTheDensityAndTheEnergyThatItStates) {
 
 // Eq. 7: masking is that of directions turned to the upper hemisphere. The weight of a direction across is the one that
 // reflection has for its mirror image in the origin, not in the surface; a view from below is its mirror image in the
-// origin with the indices exchanged, to the bit.
+// origin with the indices exchanged, but for rounding: the normal of a pair is summed for the lower direction's side,
+// so that the pair exchanged has the same.
 TEST(Dielectric, MaskingOfTurnedDirections) {
   constexpr std::size_t kCount = 1 << 14;
   Directions wo = Views(kCount, 11, 0.02).wo;
@@ -314,8 +315,8 @@ TEST(Dielectric, MaskingOfTurnedDirections) {
     evaluate_reflection(kCount, wo_up.in(), wi_up.in(), p.ellipsoid(), upper.out());
     evaluate_reflection(kCount, wo_up.in(), wi_flat.in(), p.ellipsoid(), reflected.out());
     for (std::size_t i = 0; i < kCount; ++i) {
-      ASSERT_EQ(value.f_cos[i], other.f_cos[i]) << i;
-      ASSERT_EQ(value.pdf[i], other.pdf[i]) << i;
+      ASSERT_NEAR(value.f_cos[i], other.f_cos[i], 2e-5 * value.f_cos[i]) << i;
+      ASSERT_NEAR(value.pdf[i], other.pdf[i], 2e-5 * value.pdf[i]) << i;
       if (!(value.pdf[i] > 0) || sample.side[i] > 0) continue;
       ++across;
       double weight = double(value.f_cos[i]) / value.pdf[i], exact = double(upper.f_cos[i]) / upper.pdf[i];
@@ -362,7 +363,7 @@ TEST(Dielectric, IsReciprocal) {
   }
 }
 
-// eta = 1: there is no surface, and light goes straight on with the masking of both directions.
+// eta = 1: there is no surface, and light goes straight on, all of it.
 TEST(Dielectric, EqualIndices) {
   constexpr std::size_t kCount = 1 << 12;
   Directions wo = Views(kCount, 15).wo;
@@ -370,16 +371,13 @@ TEST(Dielectric, EqualIndices) {
   for (const Parameters& p : kShapes) {
     Samples sample(kCount);
     sample_dielectric(Warp::polar, kCount, wo.in(), p.ellipsoid(), 1.f, u.in(), sample.dielectric());
-    M3<R> a = matrix<R>(p);
     for (std::size_t i = 0; i < kCount; ++i) {
       ASSERT_EQ(sample.side[i], -1);
       ASSERT_EQ(sample.wi.x[i], -wo.x[i]);
       ASSERT_EQ(sample.wi.y[i], -wo.y[i]);
       ASSERT_EQ(sample.wi.z[i], -wo.z[i]);
-      // G over what is seen of the surface, eq. 50.
-      V3<R> v = turned(wo.at<R>(i));
-      R weight = g1(v, a) * g1(v, a) * lune_area(v, a) / (ellipsoid_area({0, 0, 1}, a) * v.z);
-      ASSERT_NEAR(sample.weight[i], weight, 1e-5) << i;
+      ASSERT_EQ(sample.weight[i], 1) << i;
+      ASSERT_EQ(sample.pdf[i], 0x1p60f) << i;
     }
   }
 }

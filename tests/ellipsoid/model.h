@@ -147,7 +147,7 @@ V3<R> sample_version_3(const V3<R>& psi, const M3<R>& a, const Point<R>& t) {
   return direction(transposed_times(a, x_b * e1 + y_a * e2 + z_b * e3));
 }
 
-/// Q A / |A n| for the grids, and for the cap, whose azimuth has to begin somewhere: at the normal of A y and A n.
+/// Q A / |A n|: the x axis is the normal of A y and A n.
 template <class R>
 M3<R> upright(const M3<R>& a) {
   V3<R> x = direction(cross(a.c2, a.c3)), z = direction(a.c3);
@@ -155,17 +155,18 @@ M3<R> upright(const M3<R>& a) {
   R inv = 1 / square_root(dot(a.c3, a.c3));
   return {inv * transposed_times(axes, a.c1), inv * transposed_times(axes, a.c2), {0, 0, 1}};
 }
-/// Dupuy and Benyoub 2023, Listing 3, with A in place of diag(alpha_x, alpha_y, 1), in the frame turned by theta_z.
+/// Dupuy and Benyoub 2023, Listing 3, with A in place of diag(alpha_x, alpha_y, 1) and azimuths about A n counted from
+/// the one opposite to the view's, which is not along n.
 template <class R>
-V3<R> sample_cap(const V3<R>& psi, const Parameters& p, R u1, R u2) {
-  M3<R> turn = rotation<R>(0, 0, R(p.theta_z));
-  M3<R> b = upright(matrix<R>({p.alpha_x, p.alpha_y, p.theta_x, p.theta_y, 0})) * turn;
+V3<R> sample_cap(const V3<R>& psi, const M3<R>& a, R u1, R u2) {
+  M3<R> b = upright(a);
   V3<R> vh = direction(b * psi);
+  V3<R> away = direction(V3<R>{-vh.x, -vh.y, 0}), z_axis{0, 0, 1};
   R s, c;
   sin_cos(2 * kPi<R> * u1, s, c);
   R z = (1 - u2) * (1 + vh.z) - vh.z;
   R sin_theta = square_root(1 - z * z > 0 ? 1 - z * z : R(0));
-  return direction(transposed_times(b, V3<R>{sin_theta * c, sin_theta * s, z} + vh));
+  return direction(transposed_times(b, sin_theta * (c * away + s * cross(z_axis, away)) + z * z_axis + vh));
 }
 
 }  // namespace vndf::ellipsoid

@@ -129,7 +129,189 @@ Square wedge_borders(Random& random, Warp) {
   }
 }
 
+// What renderers make.
+
+/// A multiple of 2^-32 rounded to float; often one that rounds to 1 or is among the smallest.
+float of_32_bits(Random& random) {
+  std::uint64_t bits = random.bits() >> 32;
+  if (random.below(16) == 0) bits = random.below(2) ? 0xffffffffu - (bits & 0xff) : bits & 0xff;
+  return float(double(bits) * 0x1p-32);
+}
+Square multiples_of_2_to_minus_32(Random& random, Warp) {
+  return {of_32_bits(random), of_32_bits(random)};
+}
+/// The additive recurrence of the plastic number, taken modulo 1 in double as is done.
+Square r2_points(Random& random, Warp) {
+  double n = random.below(1u << 20), x = 0.5 + 0.7548776662466927 * n, y = 0.5 + 0.5698402909980532 * n;
+  return {float(x - std::floor(x)), float(y - std::floor(y))};
+}
+/// The first two dimensions of Sobol's sequence, scrambled by exclusive or for every other pixel.
+Square sobol_points(Random& random, Warp) {
+  std::uint32_t index = random.below(1u << 12), x = 0, y = 0, direction = 1u << 31;
+  for (int bit = 0; bit < 12; ++bit, direction ^= direction >> 1)
+    if (index >> bit & 1) {
+      x ^= 1u << (31 - bit);
+      y ^= direction;
+    }
+  if (random.below(2)) {
+    x ^= std::uint32_t(random.bits());
+    y ^= std::uint32_t(random.bits());
+  }
+  return {float(double(x) * 0x1p-32), float(double(y) * 0x1p-32)};
+}
+Square stratified(Random& random, Warp) {
+  constexpr float kStrata = 16;
+  return {(float(random.below(16)) + random.unit()) / kStrata, (float(random.below(16)) + random.unit()) / kStrata};
+}
+float tiny_number(Random& random) {
+  return float(random.below(4) ? random.log_uniform(0x1p-149, 0x1p-24) : 0x1p-32);
+}
+Square tiny_numbers(Random& random, Warp) {
+  switch (random.below(3)) {
+    case 0:
+      return {tiny_number(random), random.unit()};
+    case 1:
+      return {random.unit(), tiny_number(random)};
+    default:
+      return {tiny_number(random), tiny_number(random)};
+  }
+}
+/// 0 and 1, a half, and what is next to them.
+float end_of_interval(Random& random) {
+  static const float ends[] = {0, 1, 0, 1, 0.5f, kLast, 0x1p-24f, 0x1p-32f, 0x1p-149f};
+  return ends[random.below(9)];
+}
+Square exact_ends(Random& random, Warp) {
+  switch (random.below(3)) {
+    case 0:
+      return {end_of_interval(random), of_32_bits(random)};
+    case 1:
+      return {of_32_bits(random), end_of_interval(random)};
+    default:
+      return {end_of_interval(random), end_of_interval(random)};
+  }
+}
+Square any_numbers(Random& random, Warp warp) {
+  using Numbers = Square (*)(Random&, Warp);
+  static constexpr Numbers kinds[] = {
+      anywhere, multiples_of_2_to_minus_32, r2_points, sobol_points, stratified, tiny_numbers, exact_ends, rim};
+  return kinds[random.below(8)](random, warp);
+}
+
+double either_sign(Random& random, double x) {
+  return random.below(2) ? -x : x;
+}
+/// Seen along an axis, in the plane of it or next to that plane, at 89 to 89.9999 degrees.
+View floor_ahead(Random& random) {
+  double from_horizon = random.log_uniform(1e-4, 1) * kPi / 180;
+  double along = either_sign(random, std::cos(from_horizon));
+  double across = random.below(2) ? 0 : either_sign(random, random.log_uniform(1e-12, 1e-3));
+  return random.below(2) ? View{along, across, std::sin(from_horizon)} : View{across, along, std::sin(from_horizon)};
+}
+View floor_ahead_below(Random& random) {
+  View wo = floor_ahead(random);
+  return {wo[0], wo[1], -wo[2]};
+}
+/// The outermost 1 % of a sphere's picture.
+View silhouette(Random& random) {
+  return direction(random, std::sqrt(random.uniform(0, 0.01)));
+}
+View with_component(View wo, std::uint32_t index, double value) {
+  wo[index] = 0;
+  double length = std::sqrt(wo[0] * wo[0] + wo[1] * wo[1] + wo[2] * wo[2]);
+  for (double& component : wo) component /= length;
+  wo[index] = value;
+  return wo;
+}
+View zero_component(Random& random) {
+  View wo = with_component(direction(random, random.uniform(-1, 1)), random.below(3), either_sign(random, 0.));
+  return random.below(4) ? wo : with_component(wo, random.below(3), 0.);
+}
+View denormal_component(Random& random) {
+  double value = either_sign(random, random.log_uniform(0x1p-149, 0x1p-126));
+  return with_component(direction(random, random.uniform(-1, 1)), random.below(3), value);
+}
+View off_unit(Random& random) {
+  View wo = direction(random, random.uniform(0, 1));
+  double length = 1 + either_sign(random, random.log_uniform(1e-6, 1e-3));
+  return {wo[0] * length, wo[1] * length, wo[2] * length};
+}
+View any_view(Random& random) {
+  using Views = View (*)(Random&);
+  static constexpr Views kinds[] = {
+      cos_uniform<0, 100>, cos_uniform<-100, 0>, floor_ahead, floor_ahead_below, silhouette,
+      zero_component,      denormal_component,   off_unit,    near_plus_z,       grazing,
+      near_minus_z,        vanishing_cos};
+  return kinds[random.below(12)](random);
+}
+
+/// The square of a roughness of 8 bits. That of 0 is a mirror, which special values are about.
+Roughness squared_8_bits(Random& random) {
+  float r = float(1 + random.below(random.below(2) ? 255 : 16)) / 255;
+  return {r * r, r * r};
+}
+/// The same stretched by an aspect of sqrt(1 - 0.9 a).
+Roughness anisotropy_slider(Random& random) {
+  float r = float(1 + random.below(255)) / 255, a = float(random.below(256)) / 255, aspect = std::sqrt(1 - 0.9f * a);
+  return random.below(2) ? Roughness{r * r / aspect, r * r * aspect} : Roughness{r * r * aspect, r * r / aspect};
+}
+Roughness whole_domain(Random& random) {
+  return {random.log_uniform(1e-6, 100), random.log_uniform(1e-6, 100)};
+}
+Roughness ends_of_domain(Random& random) {
+  auto end = [&] { return random.below(2) ? random.log_uniform(1e-6, 1e-5) : random.log_uniform(10, 100); };
+  return {end(), end()};
+}
+Roughness any_alpha(Random& random) {
+  using Alphas = Roughness (*)(Random&);
+  static constexpr Alphas kinds[] = {moderate, squared_8_bits, anisotropy_slider, whole_domain, ends_of_domain};
+  return kinds[random.below(5)](random);
+}
+
 }  // namespace
+
+const std::vector<HardCase>& renderer_cases() {
+  // clang-format off
+  static const std::vector<HardCase> rows = {
+    {"u_of_24_bits", "u a multiple of 2^-24", any_view, any_alpha, anywhere, true},
+    {"u_of_32_bits", "u a multiple of 2^-32 rounded to float, 1 among them", any_view, any_alpha, multiples_of_2_to_minus_32, true},
+    {"u_r2", "points of the R2 sequence", any_view, any_alpha, r2_points, true},
+    {"u_sobol", "Sobol points times 2^-32", any_view, any_alpha, sobol_points, true},
+    {"u_stratified", "16 x 16 strata", any_view, any_alpha, stratified, true},
+    {"u_tiny", "u of 2^-32 and from 2^-24 to the smallest denormal, one or both", any_view, any_alpha, tiny_numbers, true},
+    {"u_exact_ends", "u at 0, 1 and 1/2 and next to them, one or both", any_view, any_alpha, exact_ends, true},
+    {"u_rim", "u within 64 eps of the rim", any_view, any_alpha, rim, true},
+    {"floor_ahead", "89 to 89.9999 degrees, along an axis", floor_ahead, any_alpha, any_numbers, true},
+    {"floor_ahead_below", "the same below the horizon", floor_ahead_below, any_alpha, any_numbers, true},
+    {"silhouette", "the outermost 1 % of a sphere", silhouette, any_alpha, any_numbers, true},
+    {"zero_component", "one or two components of wo are 0", zero_component, any_alpha, any_numbers, true},
+    {"denormal_component", "a component of wo is denormal", denormal_component, any_alpha, any_numbers, true},
+    {"off_unit", "wo 1e-6 to 1e-3 off unit length", off_unit, any_alpha, any_numbers, true},
+    {"squared_8_bits", "alpha the square of k / 255", any_view, squared_8_bits, any_numbers},
+    {"anisotropy_slider", "the same with an aspect of sqrt(1 - 0.9 a)", any_view, anisotropy_slider, any_numbers, true},
+    {"whole_domain", "alpha_x and alpha_y from 1e-6 to 100", any_view, whole_domain, any_numbers, true},
+    {"ends_of_domain", "alpha_x and alpha_y at 1e-6 or at 100", any_view, ends_of_domain, any_numbers, true},
+  };
+  // clang-format on
+  return rows;
+}
+
+const std::vector<Refraction>& refractions() {
+  static const std::vector<Refraction> rows = {
+      {"glass", "eta from 1.3 to 2.5, or its reciprocal",
+       [](Random& random) {
+         double eta = random.uniform(1.3, 2.5);
+         return random.below(2) ? eta : 1 / eta;
+       }},
+      {"near_1", "eta from 1.0001 to 1.01, or its reciprocal",
+       [](Random& random) {
+         double eta = 1 + random.log_uniform(1e-4, 1e-2);
+         return random.below(2) ? eta : 1 / eta;
+       }},
+      {"any_index", "eta from 0.1 to 10", [](Random& random) { return random.log_uniform(0.1, 10); }},
+  };
+  return rows;
+}
 
 const std::vector<HardCase>& hard_cases() {
   // clang-format off

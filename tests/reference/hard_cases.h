@@ -40,6 +40,19 @@ struct HardCase {
 
 const std::vector<HardCase>& hard_cases();
 
+/// The inputs that renderers make: random numbers of every spacing, views of real geometry, alpha as sliders give it.
+/// Each row has one of the three from its name and any of these kinds for the others. What a forward error can say of
+/// these inputs is little; their bounds are ratios, see ratio.h.
+const std::vector<HardCase>& renderer_cases();
+
+/// An index of refraction below the surface over the one above it.
+struct Refraction {
+  const char* name;
+  const char* description;
+  double (*eta)(Random&);
+};
+const std::vector<Refraction>& refractions();
+
 /// The same columns for the same arguments, and a prefix of them for a smaller count.
 Inputs generate(const HardCase& hard_case, Warp warp, std::size_t count, std::uint64_t seed);
 

@@ -120,18 +120,20 @@ OracleNormal listing_1(const float wo[3], const float alpha[2], const Vec2<R>& t
   return ellipsoid_normal(nh, alpha, off_t2 + rho * off_v + 16 * q, vertical);
 }
 
-/// Dupuy and Benyoub 2023, Listing 3.
+/// Dupuy and Benyoub 2023, Listing 3, with azimuths counted from the one opposite to the view's.
 template <class R>
 OracleNormal spherical_cap(const float wo[3], const float alpha[2], const float u[2]) {
   constexpr R q = kRounding<R>;
   Vec3<R> vh = hemisphere_view<R>(wo, alpha);
+  R rho = square_root(vh.x * vh.x + vh.y * vh.y);
+  Vec2<R> away = rho > 0 ? Vec2<R>{-vh.x / rho, -vh.y / rho} : Vec2<R>{-1, 0};
   R sin_phi, cos_phi;
   sin_cos(2 * kPi<R> * R(u[0]), sin_phi, cos_phi);
   R z = (1 - R(u[1])) * (1 + vh.z) - vh.z;
   R sin_theta = square_root(positive(1 - z * z));
-  Vec3<R> c{sin_theta * cos_phi, sin_theta * sin_phi, z};
+  Vec3<R> c{sin_theta * (cos_phi * away.x - sin_phi * away.y), sin_theta * (cos_phi * away.y + sin_phi * away.x), z};
   Vec3<R> nh{c.x + vh.x, c.y + vh.y, c.z + vh.z};
-  R horizontal = error_of_root(sin_theta, 16 * q) + 16 * q * (sin_theta + square_root(vh.x * vh.x + vh.y * vh.y));
+  R horizontal = error_of_root(sin_theta, 16 * q) + 16 * q * (sin_theta + rho);
   return ellipsoid_normal(nh, alpha, horizontal, 8 * q);
 }
 

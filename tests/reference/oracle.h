@@ -14,7 +14,8 @@ struct OracleNormal {
 };
 
 /// The visible normal for the same float inputs: Heitz 2018, Listing 1, with the disk point of eq. 9-10 or of Walter et
-/// al. 2015, eq. 34-37; or Dupuy and Benyoub 2023, Listing 3.
+/// al. 2015, eq. 34-37; or Dupuy and Benyoub 2023, Listing 3, where the azimuth of c is 2 pi u1 from the one opposite
+/// to the view's.
 ///
 /// The view may have any length but 0. Where (alpha_x wo.x, alpha_y wo.y) is exactly 0, the azimuth is +x, the limit of
 /// a view that leans that way: T1 = (0, 1, 0), T2 = Vh x T1. (Listing 1 takes T1 = (1, 0, 0) there: the same

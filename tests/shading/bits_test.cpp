@@ -214,12 +214,10 @@ TEST(WantedOutputs, DoNotChangeOneAnother) {
   }
 }
 
-// The normal of sample_reflection is that of sample_normals: the same bits for views above the horizon and alpha of at
-// least 1e-4, where the smallest of its roots and squares are in range.
+// The normal of sample_reflection is that of sample_normals.
 TEST(WantedOutputs, NormalIsThatOfSampleNormals) {
   std::size_t count = std::size_t(1) << 16;
   for (const auto& row : reference::hard_cases()) {
-    if (row.name == std::string("vanishing_cos_tiny_alpha")) continue;
     for (Warp warp : kWarps) {
       auto in = reference::generate(row, warp, count, 80);
       Directions wm(count);
@@ -227,8 +225,6 @@ TEST(WantedOutputs, NormalIsThatOfSampleNormals) {
       sample_normals(warp, count, in.wo(), in.alpha(), in.u(), wm.out());
       sample_reflection(warp, count, in.wo(), in.alpha(), in.u(), sample.with_normals());
       for (std::size_t i = 0; i < count; ++i) {
-        double length = std::hypot(in.wo_x[i], in.wo_y[i], in.wo_z[i]);
-        if (in.wo_z[i] < 0 || std::fabs(length - 1) > 1e-6) continue;
         ASSERT_TRUE(same_bits(wm.x[i], sample.wm.x[i]) && same_bits(wm.y[i], sample.wm.y[i]) &&
                     same_bits(wm.z[i], sample.wm.z[i]))
             << row.name << " " << int(warp) << " at " << i;
@@ -237,8 +233,8 @@ TEST(WantedOutputs, NormalIsThatOfSampleNormals) {
   }
 }
 
-// Finite inputs that are not degenerate give no NaN: unit views, alpha from 1e-6 to 100, u in [0, 1] with both ends.
-TEST(BadInputs, NoNanFromGoodOnes) {
+// Good inputs give finite results: unit views, alpha from 1e-6 to 100, u in [0, 1] with both ends.
+TEST(GoodInputs, GiveFiniteResults) {
   const float views[][3] = {{0, 0, 1},        {0, 0, -1},     {1, 0, 0},           {0, -1, 0},     {0.6f, 0, 0.8f},
                             {0.6f, 0, -0.8f}, {1, 0, 1e-30f}, {1, 1e-20f, 1e-10f}, {1e-20f, 0, 1}, {1e-40f, 0, 1},
                             {0.8f, 0.6f, 0},  {1, 0, -0.f},   {1e-6f, 1e-6f, 1},   {1e-6f, 0, -1}, {1, 0, -1e-30f}};
@@ -264,7 +260,8 @@ TEST(BadInputs, NoNanFromGoodOnes) {
                                 s.cos[0], e.f_cos[0], e.pdf[0], pdf})
                   ASSERT_TRUE(std::isfinite(x)) << v[0] << " " << v[1] << " " << v[2] << " alpha " << ax << " " << ay
                                                 << " u " << u1 << " " << u2 << " " << int(warp) << bounded;
-                ASSERT_GE(s.pdf[0], 0);
+                for (float density : {s.pdf[0], e.pdf[0], pdf})
+                  ASSERT_TRUE(density >= 0 && density <= 0x1p60f) << density;
                 ASSERT_GE(s.weight[0], 0);
                 ASSERT_LE(s.weight[0], 1);
                 if (v[2] < 0 || !(s.wi.z[0] > 0)) {
@@ -280,9 +277,11 @@ TEST(BadInputs, NoNanFromGoodOnes) {
                   evaluate_dielectric(1, {v[0], v[1], v[2]}, s.wi.in(), {ax, ay}, eta, e.out());
                   for (float x :
                        {s.wi.x[0], s.wi.y[0], s.wi.z[0], s.pdf[0], s.weight[0], s.side[0], e.f_cos[0], e.pdf[0]})
-                    ASSERT_FALSE(std::isnan(x))
+                    ASSERT_TRUE(std::isfinite(x))
                         << v[0] << " " << v[1] << " " << v[2] << " alpha " << ax << " " << ay << " u " << u1 << " "
                         << u2 << " " << u3 << " eta " << eta << " " << int(warp);
+                  for (float density : {s.pdf[0], e.pdf[0]}) ASSERT_TRUE(density >= 0 && density <= 0x1p60f) << density;
+                  ASSERT_GE(s.weight[0], 0);
                   ASSERT_LE(s.weight[0], 1);
                 }
             }

@@ -38,12 +38,12 @@ class Lanes {
     const Columns2 alpha{column(6), column(7)}, u{column(8), column(9)};
     for (Warp warp : kWarps)
       for (bool bounded : {false, true}) {
-        if (bounded && warp != Warp::spherical_cap) continue;
         ReflectionOptions options{masking, bounded};
         sample_reflection(warp, kCount, wo(), alpha, u, {{out(0), out(1), out(2)}, out(3), out(4)}, options);
         each([&](const V& wo, const V&, const A& alpha, const A& u, F, F) {
-          auto facet = bounded ? lanes::facet_on_bounded_cap(wo, alpha, u) : facet_of(warp, wo, alpha, u);
-          return lanes::sample_reflection<Masked>(wo, alpha, facet);
+          auto sample = [&](const auto& facet) { return lanes::sample_reflection<Masked>(wo, alpha, facet); };
+          return bounded ? sample(lanes::facet_on_bounded_cap(wo, alpha, on_cap(warp, u)))
+                         : with_facet(warp, wo, alpha, u, sample);
         });
         EXPECT_TRUE(same_bits(batch_, lane_)) << "reflection " << int(warp) << " bounded " << bounded;
       }
@@ -61,8 +61,9 @@ class Lanes {
       each([&](const V& wo, const V&, const A& alpha, const A& u, F u3, F eta) {
         auto below = wo.z < F(0.f);
         V view = lanes::mirrored(below, wo);
-        auto sample = lanes::sample_dielectric<Masked>(view, alpha, facet_of(warp, view, alpha, u),
-                                                       lanes::mirrored_eta(below, eta), u3);
+        auto sample = with_facet(warp, view, alpha, u, [&](const auto& facet) {
+          return lanes::sample_dielectric<Masked>(view, alpha, facet, lanes::index_seen(below, eta), u3);
+        });
         sample.wi = lanes::mirrored(below, sample.wi);
         return sample;
       });
@@ -72,7 +73,7 @@ class Lanes {
     each([&](const V& wo, const V& wi, const A& alpha, const A&, F, F eta) {
       auto below = wo.z < F(0.f);
       return lanes::evaluate_dielectric<Masked>(lanes::mirrored(below, wo), lanes::mirrored(below, wi), alpha,
-                                                lanes::mirrored_eta(below, eta));
+                                                lanes::index_seen(below, eta));
     });
     EXPECT_TRUE(same_bits(batch_, lane_)) << "evaluation of the dielectric";
     pdf_normals(kCount, wo(), wi(), alpha, out(0));
@@ -90,9 +91,9 @@ class Lanes {
                         {{out(0), out(1), out(2)}, out(3), out(4)});
       each([&](const V& wo, const V& theta, const A& alpha, const A& u, F, F) {
         auto a = shape(theta, alpha);
-        auto facet = facet_of(warp, wo, a, u);
-        return warp == Warp::spherical_cap ? lanes::sample_reflection<lanes::Lunes>(wo, for_cap(a), facet)
-                                           : lanes::sample_reflection<lanes::Lunes>(wo, narrowed(a), facet);
+        return with_facet(warp, wo, a, u, [&](const auto& facet) {
+          return lanes::sample_reflection<lanes::Lunes>(wo, narrowed(a), facet);
+        });
       });
       EXPECT_TRUE(same_bits(batch_, lane_)) << "ellipsoids " << int(warp);
     }
@@ -107,11 +108,17 @@ class Lanes {
   Columns3 wo() const { return {column(0), column(1), column(2)}; }
   Columns3 wi() const { return {column(3), column(4), column(5)}; }
 
-  template <class Shape>
-  static lanes::Facet<F> facet_of(Warp warp, const V& wo, const Shape& shape, const A& u) {
-    return warp == Warp::polar        ? lanes::facet_on_chord(wo, shape, chord(lanes::polar_map(u)))
-           : warp == Warp::concentric ? lanes::facet_on_chord(wo, shape, chord(lanes::concentric_map(u)))
-                                      : lanes::facet_on_cap(wo, shape, u);
+  static lanes::CapPoint<F> on_cap(Warp warp, const A& u) {
+    return warp == Warp::polar        ? lanes::polar_cap_map(u)
+           : warp == Warp::concentric ? lanes::concentric_cap_map(lanes::wedge_of(u))
+                                      : lanes::cap_map(u);
+  }
+  /// sample(facet) for the warp's facet, which has a type of its own on the cap.
+  template <class Shape, class Sample>
+  static auto with_facet(Warp warp, const V& wo, const Shape& shape, const A& u, Sample sample) {
+    return warp == Warp::polar        ? sample(lanes::facet_on_chord(wo, shape, chord(lanes::polar_map(u))))
+           : warp == Warp::concentric ? sample(lanes::facet_on_chord(wo, shape, chord(lanes::concentric_map(u))))
+                                      : sample(lanes::facet_on_cap(wo, shape, lanes::cap_map(u)));
   }
 
   /// Stores the members of f's result, in order, and takes the other columns as they are.

@@ -16,6 +16,7 @@ using testing::on_every_isa;
 using testing::same_bits;
 
 constexpr float kInf = std::numeric_limits<float>::infinity();
+constexpr float kLargestPdf = 0x1p60f;
 constexpr std::size_t kCount = 256;
 const Numbers kNumbers(kCount, 61);
 
@@ -66,7 +67,8 @@ TEST(Reflection, OfAlphaZeroIsAMirror) {
       Samples s = way.sample(wo, {0, 0});
       for (std::size_t i = 0; i < kCount; ++i) {
         ASSERT_LE(distance(s.wi.at(i), {-wo.x, -wo.y, wo.z}), 40 * kEps);
-        ASSERT_EQ(s.pdf[i], kInf);
+        ASSERT_GT(s.pdf[i], 1e15f);
+        ASSERT_LE(s.pdf[i], kLargestPdf);
         ASSERT_NEAR(s.weight[i], 1, 8 * kEps);
       }
     }
@@ -151,8 +153,8 @@ TEST(Evaluation, OfAlphaZero) {
   const View wi{-0.6f, 0, 0.8f};
   for_each_evaluation([&](auto evaluate) {
     auto peak = evaluate({0.6f, 0, 0.8f}, wi, 0);
-    EXPECT_TRUE(peak.f_cos > 1e30f && peak.f_cos < kInf) << peak.f_cos;
-    EXPECT_TRUE(peak.pdf > 1e30f && peak.pdf < kInf) << peak.pdf;
+    EXPECT_TRUE(peak.f_cos > 1e15f && peak.f_cos < kInf) << peak.f_cos;
+    EXPECT_TRUE(peak.pdf > 1e15f && peak.pdf <= kLargestPdf) << peak.pdf;
     for (const View& wo : {View{0.6f, 0, 0.8f}, {0, 0, 1}, {0.6f, 1e-15f, 0.8f}})
       for (float alpha : {0.f, 1e-30f}) {
         EXPECT_TRUE(same_bits(evaluate(wo, wi, alpha).f_cos, evaluate(wo, wi, 0x1p-60f).f_cos));
@@ -205,7 +207,7 @@ TEST(Evaluation, OfInvisibleNormalsIsZero) {
   });
 }
 
-// There is no surface: light goes straight on, masked across.
+// There is no surface: light goes straight on.
 TEST(Dielectric, EqualIndices) {
   for_each_masking([](Masking masking) {
     for (const View& wo : {View{0, 0, 1}, {0.6f, 0, 0.8f}, {0.6f, 0, -0.8f}, {0.8f, 0.6f, 1e-3f}})
@@ -215,12 +217,11 @@ TEST(Dielectric, EqualIndices) {
           Values value(kCount);
           sample_dielectric(warp, kCount, columns(wo), {alpha.x, alpha.y}, 1.f, kNumbers.in(), s.dielectric(), masking);
           evaluate_dielectric(kCount, columns(wo), s.wi.in(), {alpha.x, alpha.y}, 1.f, value.out(), masking);
-          double weight = g1<double>({wo.x, wo.y, std::fabs(wo.z)}, {alpha.x, alpha.y});
           for (std::size_t i = 0; i < kCount; ++i) {
             ASSERT_EQ(distance(s.wi.at(i), {-wo.x, -wo.y, -wo.z}), 0);
             ASSERT_EQ(s.side[i], -1);
-            ASSERT_EQ(s.pdf[i], kInf);
-            ASSERT_NEAR(s.weight[i], weight, 1e-6);
+            ASSERT_EQ(s.pdf[i], kLargestPdf);
+            ASSERT_EQ(s.weight[i], 1);
             ASSERT_EQ(value.f_cos[i], 0);
             ASSERT_EQ(value.pdf[i], 0);
           }

@@ -19,8 +19,8 @@ struct DiskPoint {
 };
 
 /// Keeps e above 0 on the rim itself, where the chord's end would otherwise vanish together with the height above it.
-/// Far below the rounding of any other e, and its square root below that of the result.
-constexpr float kRim = 0x1p-52f;
+/// Far below any e that random numbers have, and its square root below the rounding of what is made of it.
+constexpr float kRim = 0x1p-100f;
 
 /// Eq. 9-10: r^2 = u1, phi = 2 pi u2.
 template <class F>
@@ -28,40 +28,53 @@ VNDF_INLINE DiskPoint<F> polar_map(Vec2<F> u) {
   return {u.x, (F(1.f) - u.x) + F(kRim), sincos2pi(u.y)};
 }
 
-/// Where in the square: a = 2 u1 - 1, b = 2 u2 - 1, r the larger of |a|, |b|, and x the quotient of the smaller and r.
+/// Where in the square: a = 2 u1 - 1 and b = 2 u2 - 1, of which r is the larger and x the quotient of the smaller and
+/// r, all without sign.
+///
+/// rim = 1 - r comes first: 1 - |a| is 2 min(u, 1 - u), exact for every float, and a itself is not.
 template <class F>
 struct Wedge {
-  F a, b, r, x;
+  F a, b;            // for their signs
+  Mask<F> along_t1;  // |a| > |b|
+  F rim, r, x;
 };
 template <class F>
 VNDF_INLINE Wedge<F> wedge_of(Vec2<F> u) {
-  F a = (u.x + u.x) - F(1.f);
-  F b = (u.y + u.y) - F(1.f);
-  Int<F> abs_a = op::bits(op::abs(a));
-  Int<F> abs_b = op::bits(op::abs(b));
-  F r = op::from_bits(op::max(abs_a, abs_b));
-  F smaller = op::from_bits(op::min(abs_a, abs_b));
-  return {a, b, r, smaller / (r + F(kRim))};  // x = 0 at the centre
+  F x = from_nearer_end(u.x), y = from_nearer_end(u.y);
+  Int<F> bits_x = op::bits(x), bits_y = op::bits(y);
+  F nearer = op::from_bits(op::min(bits_x, bits_y));
+  F farther = op::from_bits(op::max(bits_x, bits_y));
+  F rim = nearer + nearer;
+  F r = F(1.f) - rim;
+  F smaller = F(1.f) - (farther + farther);
+  return {u.x - F(0.5f), u.y - F(0.5f), x < y, rim, r, smaller / (r + F(kRim))};  // x = 0 at the centre
 }
 
-/// Shirley and Chiu 1997, Walter 2015 eq. 34-37: the square's concentric rings become the disk's.
-///
-/// The four wedges differ by signs and by which coordinate is the larger; the angle from the wedge's axis is pi/4 x.
-/// Its sine and cosine are minimax polynomials in x^2, to 2.8e-8 and 4.4e-10. a, b and 1 - r are exact for every
-/// multiple of 2^-24.
+/// The angle from the wedge's axis, by 1 - cos and the sine.
 template <class F>
-VNDF_INLINE DiskPoint<F> concentric_map(const Wedge<F>& w) {
-  F x = w.x;
+struct WedgeAngle {
+  F versine, sin;
+};
+/// pi/4 x. Minimax polynomials in x^2, to 2.8e-8 and 4.4e-10.
+template <class F>
+VNDF_INLINE WedgeAngle<F> angle_in_wedge(F x) {
   F y = x * x;
   F y2 = y * y;
-  F cos = (F(0x1p+0f) + y * F(-0x1.3bd3ccp-2f)) +
-          y2 * ((F(0x1.03c1b0p-6f) + y * F(-0x1.55b2b6p-12f)) + y2 * F(0x1.d4f7eep-19f));
-  F sin = x * ((F(0x1.921fb6p-1f) + y * F(-0x1.4abbcep-4f)) + y2 * (F(0x1.465ba2p-9f) + y * F(-0x1.2c3460p-15f)));
-  auto along_t1 = op::abs(w.a) > op::abs(w.b);
-  return {
-      w.r * w.r,
-      ((F(1.f) - w.r) * (F(1.f) + w.r)) + F(kRim),
-      {op::with_sign_of(op::select(along_t1, cos, sin), w.a), op::with_sign_of(op::select(along_t1, sin, cos), w.b)}};
+  return {y * F(0x1.3bd3ccp-2f) - y2 * ((F(0x1.03c1b0p-6f) + y * F(-0x1.55b2b6p-12f)) + y2 * F(0x1.d4f7eep-19f)),
+          x * ((F(0x1.921fb6p-1f) + y * F(-0x1.4abbcep-4f)) + y2 * (F(0x1.465ba2p-9f) + y * F(-0x1.2c3460p-15f)))};
+}
+
+/// Shirley and Chiu 1997, Walter 2015 eq. 34-37: the square's concentric rings become the disk's. The four wedges
+/// differ by signs and by which coordinate is the larger.
+template <class F>
+VNDF_INLINE DiskPoint<F> concentric_map(const Wedge<F>& w) {
+  auto from_axis = angle_in_wedge(w.x);
+  F cos = F(1.f) - from_axis.versine;
+  F sin = from_axis.sin;
+  return {w.r * w.r,
+          (w.rim * (F(1.f) + w.r)) + F(kRim),
+          {op::with_sign_of(op::select(w.along_t1, cos, sin), w.a),
+           op::with_sign_of(op::select(w.along_t1, sin, cos), w.b)}};
 }
 template <class F>
 VNDF_INLINE DiskPoint<F> concentric_map(Vec2<F> u) {
@@ -76,13 +89,14 @@ VNDF_INLINE Vec2<F> cartesian(const DiskPoint<F>& t) {
 }
 
 /// The vertical chord of the disk through (t1, t2), seen from that point. With w = sqrt(1 - t1^2) and d = w + |t2|:
-/// top = d (w - t2), bottom = d (w + t2), across = 2 d t1.
+/// top = d (w - t2), bottom = d (w + t2), across = 2 d t1, and tilt = bottom - top = 2 d t2.
 ///
 /// The factor d makes the two distances e and d^2, in the order that the sign of t2 says, so neither is the difference
-/// of two near numbers; what follows needs directions only and carries the factor along.
+/// of two near numbers, and nor is their own; what follows needs directions only and carries the factor along. So it
+/// does a power of two that keeps the largest of the three near 1: at t = (+-1, 0) all of the chord vanishes.
 template <class F>
 struct Chord {
-  F top, bottom, across;
+  F top, bottom, across, tilt;
 };
 
 /// w^2 = e + t2^2 and d^2 = e + 2 |t2| d are sums of positive terms. r d = r |t2| + sqrt(r^2 w^2) spares the root of
@@ -92,10 +106,14 @@ VNDF_INLINE Chord<F> chord(const DiskPoint<F>& t) {
   F abs_sin = op::abs(t.phi.sin);
   F rt2 = t.r2 * abs_sin;
   F rd = rt2 + op::sqrt(t.r2 * (t.e + rt2 * abs_sin));
-  F rd_2 = rd + rd;
-  F d2 = t.e + abs_sin * rd_2;
-  auto below = t.phi.sin < F(0.f);
-  return {op::select(below, d2, t.e), op::select(below, t.e, d2), t.phi.cos * rd_2};
+  Int<F> exponent = op::max(op::bits(rd), op::bits(t.e)) & Int<F>(0x7f800000);
+  F scale = op::from_bits(Int<F>(0x7f000000) - exponent);
+  F e = t.e * scale;
+  F rd_2 = rd * (scale + scale);
+  F tilt = t.phi.sin * rd_2;
+  F d2 = e + op::abs(tilt);
+  auto below = tilt < F(0.f);
+  return {op::select(below, d2, e), op::select(below, e, d2), t.phi.cos * rd_2, tilt};
 }
 
 }  // namespace VNDF_LANES_BUILD

@@ -17,7 +17,7 @@ struct Lunes {
   };
   template <class F, class Shape>
   static VNDF_INLINE Light<F> light(const Vec3<F>& wi, const Shape& shape) {
-    Vec3<F> h = stretch_by_triangle(wi, shape);
+    Vec3<F> h = stretch(wi, shape);
     F l2 = h.x * h.x + h.y * h.y;
     F sum = op::sqrt(l2 + h.z * h.z) + op::abs(h.z);
     auto below = h.z < F(0.f);  // where |h| + h.z = l2 / sum
@@ -33,7 +33,7 @@ struct Lunes {
   template <class F>
   static VNDF_INLINE F weight(F wo_z, F, F area, F, const Light<F>& light) {
     F larger = op::from_bits(op::max(op::bits(area), op::bits(wo_z + wo_z)));
-    return (area * light.numerator) / (larger * light.denominator);
+    return at_most_one((area * light.numerator) / (larger * light.denominator));
   }
 };
 

@@ -36,20 +36,30 @@ VNDF_INLINE F lune_area(F length, F h_z, F one_plus_z) {
   return op::select(h_z < F(0.f), length * one_plus_z, length + h_z);
 }
 
-/// D(m), Heitz 2018, eq. 1, Walter et al. 2015, eq. 1, for m of any length from 2^-40 to 8, up to its division.
+/// The largest density there is: that of a mirror. Finite, so that the weights of multiple importance sampling, with
+/// squares of densities in them, are those of a delta and not NaN.
+constexpr float kDelta = 0x1p60f;
+template <class F>
+VNDF_INLINE F at_most_delta(F pdf) {
+  return op::select(pdf > F(kDelta), F(kDelta), pdf);
+}
+
+/// D(m), Heitz 2018, eq. 1, Walter et al. 2015, eq. 1, for m of any length from 2^-70 to 2, up to its division; 0 for m
+/// too short to have a direction.
 ///
 /// With |A| = a b, D = (a / b) (a |m|^2 / k^2)^2 / pi with k = a A^-T m: that stays within the range of float, which
-/// alpha^2 does not. For plain GGX a is alpha_x, b is alpha_y, and k^2 is a sum of positive terms.
+/// alpha^2 does not. For plain GGX a is alpha_x, b is alpha_y, and k^2 is a sum of positive terms. kUnit centres its
+/// range, which is that of |m| times 2^+-27, between the ends of float's.
 template <class F>
 struct NdfTerms {
   F a_m2, k2, a_over_b;
 };
 template <class F, class Shape = Vec2<F>>
 VNDF_INLINE NdfTerms<F> ndf_terms(const Vec3<F>& m, const Shape& shape) {
-  constexpr float kUnit = 0x1p40f;
+  constexpr float kUnit = 0x1p34f;
   Vec3<F> v = {m.x * F(kUnit), m.y * F(kUnit), m.z * F(kUnit)};
   auto k = unstretch(v, shape);
-  return {dot(v, v) * k.a, dot(k.v, k.v), k.a_over_b};
+  return {dot(v, v) * k.a, dot(k.v, k.v) + F(0x1p-126f), k.a_over_b};
 }
 template <class F>
 VNDF_INLINE F ndf(const NdfTerms<F>& terms) {
@@ -91,7 +101,7 @@ VNDF_INLINE NormalTerms<F> normal_terms(const Vec3<F>& v, const Vec3<F>& m, cons
 /// 2 D(m) max(0, v.m) / (|A v| + (A v).z).
 template <class F>
 VNDF_INLINE F visible_normal_pdf(F m_z, const NormalTerms<F>& terms) {
-  F pdf = ((terms.cos + terms.cos) / terms.area) * ndf(terms.ndf);
+  F pdf = at_most_delta(((terms.cos + terms.cos) / terms.area) * ndf(terms.ndf));
   return op::select(terms.cos > F(0.f), op::select(m_z < F(0.f), F(0.f), pdf), F(0.f));
 }
 template <class F, class Shape = Vec2<F>>

@@ -10,7 +10,7 @@ template <class F, class Shape = Vec2<F>, class Theta = XAxis>
 VNDF_INLINE Vec3<F> sample_normal_on_chord(const Vec3<F>& wo, const Shape& shape, const Chord<F>& t,
                                            const Theta& theta_z = {}) {
   auto view = map_to_hemisphere(stretch(wo, shape), azimuth_of(shape));
-  return map_from_hemisphere(reproject(view, t, squish(view, t)), narrowed(shape), theta_z);
+  return map_from_hemisphere(reproject(view, t).nh, narrowed(shape), theta_z);
 }
 
 template <class F, class Shape = Vec2<F>, class Theta = XAxis>
@@ -26,17 +26,15 @@ VNDF_INLINE Vec3<F> sample_normal_concentric(const Vec3<F>& wo, const Shape& sha
 
 template <class F, class Shape = Vec2<F>, class Theta = XAxis>
 VNDF_INLINE Vec3<F> sample_normal_cap(const Vec3<F>& wo, const Shape& shape, Vec2<F> u, const Theta& theta_z = {}) {
-  // The sum of two vectors that comes loses more than a product with floats.
-  auto a = for_cap(shape);
-  return map_from_hemisphere(on_visible_cap(visible_cap_of(stretch(wo, a)), sincos2pi(u.x), u.y), a, theta_z);
+  auto view = cap_view(stretch(wo, shape), azimuth_of(shape));
+  return map_from_hemisphere(on_cap(view, cap_map(u)).nh, narrowed(shape), theta_z);
 }
 
-/// Plain GGX whose axes theta_z turns about n: sample(wo, theta_z) is one of the above for alpha and u. T is Split<F>
-/// for the disk, F for the cap.
-template <class T, class F, class Sample>
+/// Plain GGX whose axes theta_z turns about n: sample(wo, theta_z) is one of the above for alpha and u.
+template <class F, class Sample>
 VNDF_INLINE Vec3<F> sample_in_turned_frame(const Vec3<F>& wo, F theta_z, Sample sample) {
-  auto rotation = rotation_of<T>(reduce_angle(theta_z));
-  return sample(turn_as<T>(wo, rotation), angle_of<F>(rotation));
+  auto rotation = rotation_of(theta_z);
+  return sample(turn(wo, rotation), angle_of<F>(rotation));
 }
 
 }  // namespace VNDF_LANES_BUILD

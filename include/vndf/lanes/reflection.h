@@ -12,141 +12,96 @@
 namespace vndf::lanes {
 inline namespace VNDF_LANES_BUILD {
 
-/// A visible normal in the hemisphere configuration, of any length: nh = c Nh. And what the shading step needs to know
-/// of how it was sampled.
+/// What the shading step needs to know of the view: |A wo|, and `area` = |A wo| + k (A wo).z, twice the projected area
+/// of the normals that are sampled; k = 1 if not bounded.
+template <class F>
+struct ViewSize {
+  F length, area;
+};
+
+/// A visible normal in the hemisphere configuration, of any length, nh = c Nh, and 2 A wo.nh = 2 c |A^T Nh| wo.wm.
+/// From the disk, the latter is through the height that the reprojection takes its root of, not as a sum of products.
 template <class F>
 struct Facet {
   Vec3<F> nh;
-  F norm2;      // c^2
-  F twice_cos;  // 2 A wo.nh = 2 c |A^T Nh| wo.wm
-  F length;     // |A wo|
-  F area;       // |A wo| + k (A wo).z, twice the projected area of the normals that are sampled; k = 1 if not bounded
-};
-
-/// nh.z with the addend of map_from_hemisphere, before its length is taken, so that the two agree.
-template <class F>
-VNDF_INLINE Vec3<F> with_direction(Vec3<F> nh) {
-  return {nh.x, nh.y, nh.z + F(0x1p-62f)};
-}
-
-/// A normal from the disk, and 2 A wo.nh through the height that the reprojection takes its root of, not as a sum of
-/// products.
-template <class F>
-struct ChordFacet {
-  Vec3<F> nh;
   F twice_cos;
 };
-
+/// From a cap, Nh is along the sum of two unit vectors, one of which is that of A wo: 2 A wo.nh = |nh|^2 / per_cos.
 template <class F>
-VNDF_INLINE ChordFacet<F> sample_on_chord(const HemisphereView<F>& view, F length, const Chord<F>& t) {
-  F cos;
-  Vec3<F> nh = with_direction(reproject(view, t, squish(view, t), cos));
-  return {nh, (cos + cos) * length};
-}
-template <class F>
-VNDF_INLINE Facet<F> facet_of(const ChordFacet<F>& facet, F length, F area) {
-  return {facet.nh, dot(facet.nh, facet.nh), facet.twice_cos, length, area};
-}
-
-/// The visible cap, the height of which is the area that its normals project to, and |A wo|. Leaning shapes are masked
-/// by their areas alone.
-template <class F>
-struct CapToReflect {
-  CapAtView<F> at;
-  F length;
+struct CapFacet {
+  Vec3<F> nh;
+  F per_cos;
 };
+
 template <class F>
-VNDF_INLINE CapToReflect<F> visible_cap_to_reflect(const Vec3<F>& wo, const Vec2<F>& alpha) {
-  auto view = map_to_cap(stretch(wo, alpha), F(1.f));
-  return {{view.x, view.y, visible_cap(view)}, view.length};
-}
-template <class F, class Shape>
-VNDF_INLINE CapAtView<F> visible_cap_to_reflect(const Vec3<F>& wo, const Shape& shape) {
-  Vec3<F> h = stretch(wo, shape);
-  auto view = map_to_cap(h, F(1.f));
-  return {view.x, view.y, visible_cap(view, h.z)};
+VNDF_INLINE Facet<F> sample_on_chord(const HemisphereView<F>& view, F length, const Chord<F>& t) {
+  auto point = reproject(view, t);
+  return {point.nh, (point.cos + point.cos) * length};
 }
 
-/// Eto and Tokuyoshi 2023: the part of the cap whose reflections can be above the horizon. `rest` is what the third
-/// component of the sum lacks.
+/// Of all visible normals: |A wo| and, upright shapes leaving z as it is, wo.z.
+template <bool upright, class F>
+VNDF_INLINE ViewSize<F> visible_size(const CapView<F>& view, F h_z) {
+  F length = view.length * view.unscale;
+  if constexpr (upright)
+    return {length, length + h_z};
+  else
+    return {length, view.plus * view.unscale};
+}
 template <class F>
-struct BoundedCapToReflect {
-  CapToReflect<F> bounded;
-  F rest;
-};
-template <class F>
-VNDF_INLINE BoundedCapToReflect<F> bounded_cap_to_reflect(const Vec3<F>& wo, const Vec2<F>& alpha) {
-  auto view = map_to_cap(stretch(wo, alpha), F(1.f));
-  auto bound = reflection_bound(wo, alpha);
-  return {{{view.x, view.y, bounded_cap(view, bound)}, view.length}, bound.one_minus_k * view.abs_z};
+VNDF_INLINE ViewSize<F> bounded_size(const CapView<F>& view, F h_z, const Bound<F>& bound) {
+  F length = view.length * view.unscale;
+  return {length, length + bound.k * op::abs(h_z)};
 }
 
-/// `r2`, e and phi are the disk point, see on_cap.
 template <class F>
-VNDF_INLINE Vec3<F> sample_on_cap(const CapAtView<F>& view, F r2, F e, const Angle<F>& phi) {
-  return with_direction(on_cap(view, r2, e, phi));
-}
-template <class F>
-VNDF_INLINE Vec3<F> sample_on_cap(const CapToReflect<F>& view, F r2, F e, const Angle<F>& phi) {
-  return sample_on_cap(view.at, r2, e, phi);
-}
-template <class F>
-VNDF_INLINE Vec3<F> sample_on_cap(const BoundedCapToReflect<F>& view, F r2, F e, const Angle<F>& phi) {
-  Vec3<F> nh = on_cap(view.bounded.at, r2, e, phi);
-  nh.z = nh.z + view.rest;
-  return with_direction(nh);
+VNDF_INLINE CapFacet<F> facet_of(const CapNormal<F>& normal, const CapView<F>& view) {
+  return {normal.nh, normal.per_cos / view.unscale};
 }
 
-/// A normal from the cap is the sum of two vectors as long as A wo, one of which is A wo: 2 A wo.nh = |nh|^2.
-template <class F>
-VNDF_INLINE Facet<F> facet_of(const Vec3<F>& nh, const CapAtView<F>& view, F length = F(0.f)) {
-  F norm2 = dot(nh, nh);
-  return {nh, norm2, norm2, length, view.cap.height};
-}
-template <class F>
-VNDF_INLINE Facet<F> facet_of(const Vec3<F>& nh, const CapToReflect<F>& view) {
-  return facet_of(nh, view.at, view.length);
-}
-template <class F>
-VNDF_INLINE Facet<F> facet_of(const Vec3<F>& nh, const BoundedCapToReflect<F>& view) {
-  return facet_of(nh, view.bounded);
-}
-
-/// Facets of the three warps, what sample_reflection below takes: `t` is chord(polar_map(u)) or
-/// chord(concentric_map(u)).
-template <class F, class Shape = Vec2<F>>
-VNDF_INLINE Facet<F> facet_on_chord(const Vec3<F>& wo, const Shape& shape, const Chord<F>& t) {
-  Vec3<F> h = stretch(wo, shape);
-  F length;
-  auto view = scale_view(h, azimuth_of(shape), length);
-  auto elevation = elevation_of(view);
-  F area = kUpright<Shape> ? length + wo.z : lune_area(length, h.z, elevation.one_plus_z);
-  return facet_of(sample_on_chord(hemisphere_view(view, elevation), length, t), length, area);
-}
-template <class F, class Shape = Vec2<F>>
-VNDF_INLINE Facet<F> facet_on_cap(const Vec3<F>& wo, const Shape& shape, Vec2<F> u) {
-  auto view = visible_cap_to_reflect(wo, for_cap(shape));
-  return facet_of(sample_on_cap(view, u.y, F(1.f) - u.y, sincos2pi(u.x)), view);
-}
-/// Eto and Tokuyoshi 2023.
-template <class F>
-VNDF_INLINE Facet<F> facet_on_bounded_cap(const Vec3<F>& wo, const Vec2<F>& alpha, Vec2<F> u) {
-  auto view = bounded_cap_to_reflect(wo, alpha);
-  return facet_of(sample_on_cap(view, u.y, F(1.f) - u.y, sincos2pi(u.x)), view);
-}
-
-/// The normal in the ellipsoid configuration, not normalised: p = c A^T Nh = c |A^T Nh| wm.
+/// The normal in the ellipsoid configuration, not normalised: p = c A^T Nh = c |A^T Nh| wm, and `along` = 2 wo.p /
+/// |p|^2.
 template <class F>
 struct Normal {
   Vec3<F> p;
-  F p2, inv_p2;  // |p|^2
+  F p2, inv_p2, along;
 };
 
-template <class F, class Shape = Vec2<F>>
-VNDF_INLINE Normal<F> normal_of(const Facet<F>& facet, const Shape& shape) {
-  Vec3<F> p = stretch_back(facet.nh, shape);
-  F p2 = dot(p, p);
-  return {p, p2, F(1.f) / p2};
+template <class F>
+struct Inverses {
+  F inv_p2, along;
+};
+template <class F>
+VNDF_INLINE Inverses<F> inverses(const Facet<F>& facet, F p2) {
+  F inv_p2 = F(1.f) / p2;
+  return {inv_p2, facet.twice_cos * inv_p2};
+}
+template <class F>
+VNDF_INLINE Inverses<F> inverses(const CapFacet<F>& facet, F p2) {
+  F inv_p2 = F(1.f) / p2;
+  return {inv_p2, (dot(facet.nh, facet.nh) * inv_p2) / facet.per_cos};
+}
+
+/// The facet knows the cosine to full relative accuracy, which weights at grazing angles need. But of the exact normal:
+/// where rounding has moved p (far, for steep problems), a wi made of the two would not be as long as wo. There, and
+/// where the cosine is not small, that of p itself is right.
+template <class F, template <class> class Facet, class Shape = Vec2<F>>
+VNDF_INLINE Normal<F> normal_of(const Vec3<F>& wo, const Facet<F>& facet, const Shape& shape) {
+  constexpr float kSmall = 0x1p-4f, kRounding = 0x1p-21f;  // of 4 (wo.wm)^2
+  auto normal = stretch_normal(facet.nh, shape);
+  auto inverse = inverses(facet, normal.p2);
+  F of_p = dot(wo, normal.p);
+  of_p = (of_p + of_p) * inverse.inv_p2;
+  F cos2 = (of_p * of_p) * normal.p2;
+  F off = op::abs((inverse.along * inverse.along) * normal.p2 - cos2);
+  auto agree = (cos2 < F(kSmall)) & (off < F(kRounding));
+  return {normal.p, normal.p2, inverse.inv_p2, op::select(agree, inverse.along, of_p)};
+}
+
+/// Without the excess over 1 that only rounding can give a cosine of unit vectors: callers take sqrt(1 - c^2).
+template <class F>
+VNDF_INLINE F at_most_one_cosine(F c) {
+  return op::select((c > F(1.f)) & (c < F(1.f + 0x1p-20f)), F(1.f), c);
 }
 
 /// A unit normal, the one of sample_normals to the last bit, and the cosine to the view.
@@ -157,32 +112,33 @@ struct UnitNormal {
 };
 
 template <class F, class Theta = XAxis>
-VNDF_INLINE UnitNormal<F> unit_normal(const Facet<F>& facet, const Normal<F>& normal, const Theta& theta_z = {}) {
+VNDF_INLINE UnitNormal<F> unit_normal(const Normal<F>& normal, const Theta& theta_z = {}) {
   F inv = F(1.f) / op::sqrt(normal.p2);
   Vec3<F> p = turn_back(normal.p, theta_z);
-  return {{p.x * inv, p.y * inv, p.z * inv}, (facet.twice_cos * F(0.5f)) * inv};
+  return {{p.x * inv, p.y * inv, p.z * inv}, at_most_one_cosine((normal.along * F(0.5f)) * (normal.p2 * inv))};
 }
 
 /// Heitz 2018, eq. 16: wi = 2 (wo.wm) wm - wo, without a square root.
 template <class F>
-VNDF_INLINE Vec3<F> reflect(const Vec3<F>& wo, const Facet<F>& facet, const Normal<F>& normal) {
-  F t = facet.twice_cos * normal.inv_p2;
-  return {t * normal.p.x - wo.x, t * normal.p.y - wo.y, t * normal.p.z - wo.z};
+VNDF_INLINE Vec3<F> reflect(const Vec3<F>& wo, const Normal<F>& normal) {
+  F t = normal.along;
+  return {t * normal.p.x - wo.x, t * normal.p.y - wo.y, at_most_one_cosine(t * normal.p.z - wo.z)};
 }
 
 /// The density of the reflected direction, eq. 17, is D(wm) / (2 area) with D = |A^T Nh|^4 / (pi |A|). This is
 /// 1 / (2 pi density); for the sake of the range each factor of |A| is taken together with one |A^T Nh|^2.
 template <class F, class Shape = Vec2<F>>
-VNDF_INLINE F spread(const Facet<F>& facet, const Normal<F>& normal, const Shape& shape) {
+VNDF_INLINE F spread(const Vec3<F>& nh, const Normal<F>& normal, F area, const Shape& shape) {
   Vec2<F> a = diagonal(shape);
-  F g = facet.norm2 * normal.inv_p2;
-  return op::abs((a.x * g) * (a.y * g)) * facet.area;
+  F g = dot(nh, nh) * normal.inv_p2;
+  return op::abs((a.x * g) * (a.y * g)) * area;
 }
 
-/// A weight without the excess over 1 that only rounding can give it.
+/// A weight without the excess over 1 that only rounding can give it; 1 where view and light graze so much that both
+/// terms of the quotient vanish.
 template <class F>
 VNDF_INLINE F at_most_one(F weight) {
-  return op::select(weight > F(1.f), F(1.f), weight);
+  return op::select(weight <= F(1.f), weight, F(1.f));
 }
 
 /// The weight G2(wo, wi) / G1(wo) and, if the sampling is bounded, times the share of the visible area that it leaves.
@@ -208,10 +164,10 @@ struct Separable : ByLengths {
   }
 };
 
-/// The value where light can go from wi to wo above the surface: wo.z >= 0 and wi.z > 0. Else 0.
+/// Where light can go from wi to wo above the surface: wo.z >= 0, wi.z > 0, and there is a view.
 template <class F>
-VNDF_INLINE F where_above(F wo_z, F wi_z, F value) {
-  return op::select((wo_z >= F(0.f)) & (wi_z > F(0.f)), value, F(0.f));
+VNDF_INLINE Mask<F> both_above(F wo_z, F wi_z, F area) {
+  return (wo_z >= F(0.f)) & (wi_z > F(0.f)) & (area > F(0x1p-100f));
 }
 
 /// The density of a sampled direction, and what the light from there counts: f cos / pdf, without Fresnel's factor.
@@ -220,12 +176,13 @@ struct Weighed {
   F pdf, weight;
 };
 
-/// From a reflected direction's height, the lengths of its facet and its spread.
+/// From a reflected direction's height, the size of its view and its spread.
 template <class Masking, class F>
-VNDF_INLINE Weighed<F> weigh_reflection(F wo_z, F length, F area, F wi_z, F spread,
+VNDF_INLINE Weighed<F> weigh_reflection(F wo_z, const ViewSize<F>& view, F wi_z, F spread,
                                         const typename Masking::template Light<F>& light) {
-  F weight = Masking::weight(wo_z, length, area, wi_z, light);
-  return {where_above(wo_z, wi_z, F(kInv2Pi) / spread), where_above(wo_z, wi_z, weight)};
+  F weight = Masking::weight(wo_z, view.length, view.area, wi_z, light);
+  auto above = both_above(wo_z, wi_z, view.area);
+  return {op::select(above, at_most_delta(F(kInv2Pi) / spread), F(0.f)), op::select(above, weight, F(0.f))};
 }
 
 template <class F>
@@ -234,12 +191,47 @@ struct ReflectionSample {
   F pdf, weight;
 };
 
-/// From a facet: reflect, density, weight. The shape is the one that the facet was sampled with, narrowed, or for_cap.
-template <class Masking, class F, class Shape = Vec2<F>>
-VNDF_INLINE ReflectionSample<F> sample_reflection(const Vec3<F>& wo, const Shape& shape, const Facet<F>& facet) {
-  auto normal = normal_of(facet, shape);
-  Vec3<F> wi = reflect(wo, facet, normal);
-  auto weighed = weigh_reflection<Masking>(wo.z, facet.length, facet.area, wi.z, spread(facet, normal, shape),
+/// A facet, and the size of the view it was sampled for.
+template <class F, template <class> class Facet>
+struct FacetOfView {
+  Facet<F> facet;
+  ViewSize<F> view;
+};
+
+/// Facets of the three warps, what sample_reflection below takes: `t` is chord(polar_map(u)) or
+/// chord(concentric_map(u)), c cap_map(u).
+template <class F, class Shape = Vec2<F>>
+VNDF_INLINE FacetOfView<F, Facet> facet_on_chord(const Vec3<F>& wo, const Shape& shape, const Chord<F>& t) {
+  Vec3<F> h = stretch(wo, shape);
+  F length;
+  auto view = scale_view(h, azimuth_of(shape), length);
+  auto elevation = elevation_of(view);
+  F area = kUpright<Shape> ? length + wo.z : lune_area(length, h.z, elevation.one_plus_z);
+  return {sample_on_chord(hemisphere_view(view, elevation), length, t), {length, area}};
+}
+template <class F, class Shape = Vec2<F>>
+VNDF_INLINE FacetOfView<F, CapFacet> facet_on_cap(const Vec3<F>& wo, const Shape& shape, const CapPoint<F>& c) {
+  Vec3<F> h = stretch(wo, shape);
+  auto view = cap_view(h, azimuth_of(shape));
+  return {facet_of(on_cap(view, c), view), visible_size<kUpright<Shape>>(view, h.z)};
+}
+/// Eto and Tokuyoshi 2023. `c` is one of the three maps' point of the cap.
+template <class F>
+VNDF_INLINE FacetOfView<F, CapFacet> facet_on_bounded_cap(const Vec3<F>& wo, const Vec2<F>& alpha,
+                                                          const CapPoint<F>& c) {
+  Vec3<F> h = stretch(wo, alpha);
+  auto view = cap_view(h);
+  auto bound = reflection_bound(wo, alpha);
+  return {facet_of(on_bounded_cap(view, bound, c), view), bounded_size(view, h.z, bound)};
+}
+
+/// From a facet: reflect, density, weight. The shape is the one that the facet was sampled with, narrowed.
+template <class Masking, class F, template <class> class Facet, class Shape = Vec2<F>>
+VNDF_INLINE ReflectionSample<F> sample_reflection(const Vec3<F>& wo, const Shape& shape,
+                                                  const FacetOfView<F, Facet>& at) {
+  auto normal = normal_of(wo, at.facet, shape);
+  Vec3<F> wi = reflect(wo, normal);
+  auto weighed = weigh_reflection<Masking>(wo.z, at.view, wi.z, spread(at.facet.nh, normal, at.view.area, shape),
                                            Masking::light(wi, shape));
   return {wi, weighed.pdf, weighed.weight};
 }
@@ -289,7 +281,7 @@ VNDF_INLINE PairTerms<Masking, F> reflection_terms_bounded(const Vec3<F>& wo, co
 /// D(h) / (2 area).
 template <class Masking, class F>
 VNDF_INLINE F pair_pdf(const PairTerms<Masking, F>& terms) {
-  return ndf(terms.ndf) / (terms.area + terms.area);
+  return at_most_delta(ndf(terms.ndf) / (terms.area + terms.area));
 }
 
 /// f cos = pdf weight.
@@ -297,7 +289,8 @@ template <class Masking, class F>
 VNDF_INLINE Evaluation<F> evaluate_pair(F wo_z, F wi_z, const PairTerms<Masking, F>& terms) {
   F pdf = pair_pdf(terms);
   F weight = Masking::weight(wo_z, terms.length, terms.area, wi_z, terms.light);
-  return {where_above(wo_z, wi_z, pdf * weight), where_above(wo_z, wi_z, pdf)};
+  auto above = both_above(wo_z, wi_z, terms.area);
+  return {op::select(above, pdf * weight, F(0.f)), op::select(above, pdf, F(0.f))};
 }
 
 template <class Masking, class F, class Shape = Vec2<F>>

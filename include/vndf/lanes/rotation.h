@@ -72,21 +72,20 @@ struct Rotation {
   QuarterTurns<F> turns;
 };
 
-/// By minimax polynomials. T = F, for uses that lose more than that: without x_low.
-template <class T, class F>
+/// By minimax polynomials.
+template <class F>
 VNDF_INLINE Rotation<F> rotation_of(const ReducedAngle<F>& theta) {
   F x = theta.x;
   F q = x * x;
   F q2 = q * q;
   F sine = (x * q) * (F(-0x1.55554p-3f) + q * (F(0x1.1105bcp-7f) + q * F(-0x1.98dc1cp-13f)));
   F cosine = q2 * ((F(0x1.55554ap-5f) + q * F(-0x1.6c0c1ap-10f)) + q2 * F(0x1.99e0eep-16f));
-  SmallAngle<F> small = {x, sine, cosine};
-  if constexpr (std::is_same_v<T, Split<F>>) small = {x, theta.x_low + sine, cosine - theta.x_low * x};
+  SmallAngle<F> small = {x, theta.x_low + sine, cosine - theta.x_low * x};
   return {small, QuarterTurns<F>(op::bits(theta.turns))};
 }
 template <class F>
 VNDF_INLINE Rotation<F> rotation_of(F theta) {
-  return rotation_of<Split<F>>(reduce_angle(theta));
+  return rotation_of(reduce_angle(theta));
 }
 
 /// With 1 - cos, to float.
@@ -143,14 +142,6 @@ VNDF_INLINE Vec3<F> turn(const Vec3<F>& v, const Versed<F>& z) {
 template <class F>
 VNDF_INLINE Vec3<F> turn(const Vec3<F>& v, const Rotation<F>& z) {
   return turn(Vec3<F>{z.turns.x(v.x, v.y), z.turns.y(v.x, v.y), v.z}, versed(z.small));
-}
-/// By one or the other.
-template <class T, class F>
-VNDF_INLINE Vec3<F> turn_as(const Vec3<F>& v, const Rotation<F>& z) {
-  if constexpr (std::is_same_v<T, F>)
-    return turn(v, angle_of<F>(z));
-  else
-    return turn(v, z);
 }
 /// Rz^T v.
 template <class F>

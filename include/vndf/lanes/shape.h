@@ -14,7 +14,7 @@
 // narrow axis of a turned one; small alpha magnifies what is lost then. Hence A and the angle are given in two parts,
 // T = Split<F>, where they meet the view that is sampled for, and so is A^-T. The way back, A^T Nh, and the lengths of
 // A v, are as well conditioned as those of plain GGX and take floats, T = F: a shape and an angle are `narrowed` for
-// them. So are they for the cap, the sum of which loses more.
+// them.
 //
 // Frames: Walter's disk is Heitz's turned, (x_a, y_a) = (t2, -t1). Here it is Heitz's everywhere.
 #pragma once
@@ -34,15 +34,13 @@ struct Tilted {
   Angle<F> azimuth;
 };
 
-/// The shape for the cap, where azimuths begin at the x axis: the triangle, narrowed and turned,
-/// ((xx, xy, 0), (yx, yy, 0), (zx, zy, 1)).
+/// Roughness of which something can be divided by: at least 2^-60, without sign.
 template <class F>
-struct TiltedForCap {
-  F xx, xy, yx, yy, zx, zy;
-  // Of the triangle before it was turned.
-  Vec2<F> diagonal;
-  F triangle_yx;
-};
+VNDF_INLINE F at_least_mirror(F alpha) {
+  constexpr float kMirror = 0x1p-60f;
+  F abs = op::abs(alpha);
+  return op::select(abs < F(kMirror), F(kMirror), abs);
+}
 
 // Functions of a shape take Vec2 where nothing says which, so that {alpha_x, alpha_y} is a shape.
 
@@ -51,9 +49,6 @@ template <class Shape>
 constexpr bool kUpright = true;
 template <class F, class T>
 constexpr bool kUpright<Tilted<F, T>> = false;
-template <class F>
-constexpr bool kUpright<TiltedForCap<F>> = false;
-
 /// The diagonal of A, the product of which is |A|.
 template <class F>
 VNDF_INLINE Vec2<F> diagonal(const Vec2<F>& alpha) {
@@ -63,11 +58,6 @@ template <class F>
 VNDF_INLINE Vec2<F> diagonal(const Tilted<F, F>& a) {
   return {a.xx, a.yy};
 }
-template <class F>
-VNDF_INLINE Vec2<F> diagonal(const TiltedForCap<F>& a) {
-  return a.diagonal;
-}
-
 /// As floats.
 template <class F>
 VNDF_INLINE Vec2<F> narrowed(const Vec2<F>& alpha) {
@@ -76,25 +66,6 @@ VNDF_INLINE Vec2<F> narrowed(const Vec2<F>& alpha) {
 template <class F>
 VNDF_INLINE Tilted<F, F> narrowed(const Tilted<F>& a) {
   return {a.xx, narrowed(a.yx), narrowed(a.yy), narrowed(a.zx), narrowed(a.zy), a.azimuth};
-}
-
-/// As floats, for the cap.
-template <class F>
-VNDF_INLINE Vec2<F> for_cap(const Vec2<F>& alpha) {
-  return alpha;
-}
-template <class F>
-VNDF_INLINE TiltedForCap<F> for_cap(const Tilted<F>& tilted) {
-  auto a = narrowed(tilted);
-  auto z = a.azimuth;
-  return {z.cos * a.xx + z.sin * a.yx,
-          z.sin * a.yy,
-          z.cos * a.yx - z.sin * a.xx,
-          z.cos * a.yy,
-          a.zx,
-          a.zy,
-          diagonal(a),
-          a.yx};
 }
 
 /// Where azimuths begin.
@@ -116,21 +87,6 @@ template <class F, class T>
 VNDF_INLINE Vec3<F> stretch(const Vec3<F>& v, const Tilted<F, T>& a) {
   return {a.xx * v.x, sum_of_products(a.yx, v.x, a.yy, v.y), sum_of_products(a.zx, v.x, a.zy, v.y, v.z)};
 }
-template <class F>
-VNDF_INLINE Vec3<F> stretch(const Vec3<F>& v, const TiltedForCap<F>& a) {
-  return {a.xx * v.x + a.xy * v.y, a.yx * v.x + a.yy * v.y, (a.zx * v.x + a.zy * v.y) + v.z};
-}
-
-/// A v up to a rotation about z: for its length and height, with fewer operations.
-template <class F, class Shape>
-VNDF_INLINE Vec3<F> stretch_by_triangle(const Vec3<F>& v, const Shape& shape) {
-  return stretch(v, shape);
-}
-template <class F>
-VNDF_INLINE Vec3<F> stretch_by_triangle(const Vec3<F>& v, const TiltedForCap<F>& a) {
-  return {a.diagonal.x * v.x, a.triangle_yx * v.x + a.diagonal.y * v.y, (a.zx * v.x + a.zy * v.y) + v.z};
-}
-
 /// A^T v, eq. 6.
 template <class F>
 VNDF_INLINE Vec3<F> stretch_back(const Vec3<F>& v, const Vec2<F>& alpha) {
@@ -140,10 +96,5 @@ template <class F>
 VNDF_INLINE Vec3<F> stretch_back(const Vec3<F>& v, const Tilted<F, F>& a) {
   return {(a.xx * v.x + a.yx * v.y) + a.zx * v.z, a.yy * v.y + a.zy * v.z, v.z};
 }
-template <class F>
-VNDF_INLINE Vec3<F> stretch_back(const Vec3<F>& v, const TiltedForCap<F>& a) {
-  return {(a.xx * v.x + a.yx * v.y) + a.zx * v.z, (a.xy * v.x + a.yy * v.y) + a.zy * v.z, v.z};
-}
-
 }  // namespace VNDF_LANES_BUILD
 }  // namespace vndf::lanes

@@ -6,14 +6,6 @@
 namespace vndf::lanes {
 inline namespace VNDF_LANES_BUILD {
 
-/// The roughness that densities are evaluated with: at least 2^-60, which keeps a mirror's finite.
-template <class F>
-VNDF_INLINE F evaluated_alpha(F alpha) {
-  constexpr float kMirror = 0x1p-60f;
-  F abs = op::abs(alpha);
-  return op::select(abs < F(kMirror), F(kMirror), abs);
-}
-
 /// The diagonal that densities are evaluated with: |A| = a b.
 template <class F>
 struct EvaluatedDiagonal {
@@ -21,8 +13,8 @@ struct EvaluatedDiagonal {
 };
 template <class F>
 VNDF_INLINE EvaluatedDiagonal<F> evaluated_diagonal(const Vec2<F>& diagonal) {
-  F a = evaluated_alpha(diagonal.x);
-  return {a, a / evaluated_alpha(diagonal.y)};
+  F a = at_least_mirror(diagonal.x);
+  return {a, a / at_least_mirror(diagonal.y)};
 }
 
 /// The shape for given pairs of directions: narrowed, and A^-T up to the diagonal of A, which is

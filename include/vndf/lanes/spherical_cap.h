@@ -1,5 +1,10 @@
-// Dupuy and Benyoub 2023: visible hemisphere normals as half vectors of the view and a uniform point of a spherical
+// Dupuy and Benyoub 2023: visible hemisphere normals as half vectors of the view and a uniform point c of a spherical
 // cap. Eto and Tokuyoshi 2023: a smaller cap, for reflection.
+//
+// Nh = c + Vh cancels where c is nearly opposite to the view: for a floor seen straight ahead, that is where u2 is
+// near 1. So c's azimuth counts from there, from the point opposite to the view, and the sum is taken in its frame,
+// r along -(x, y) and t across, where sin_c - sin_e is a quotient (sin_c^2 - sin_e^2) / (sin_c + sin_e) whose numerator
+// factors. Everything is multiplied by the denominator, which leaves a polynomial and one root.
 #pragma once
 
 #include <vndf/lanes/hemisphere.h>
@@ -7,49 +12,115 @@
 namespace vndf::lanes {
 inline namespace VNDF_LANES_BUILD {
 
-/// The view in the hemisphere configuration, A V.
+/// The random numbers' share of a point of the cap: u2 grows from its pole to its rim, and phi counts from the
+/// direction opposite to the view, counter-clockwise. v = 1 - u2 is kept from 0: on the rim of a cap that a view near
+/// the normal has, the sum of c and the view would be too small to have a direction. Far below what u2 resolves.
+template <class F>
+struct CapPoint {
+  F u2, v;
+  Deviation<F> phi;
+};
+constexpr float kCapRim = 0x1p-40f;
+
+/// Dupuy and Benyoub 2023, Listing 3: u1 = phi / 2 pi.
+template <class F>
+VNDF_INLINE CapPoint<F> cap_map(Vec2<F> u) {
+  return {u.y, (F(1.f) - u.y) + F(kCapRim), deviation2pi(u.x)};
+}
+/// Lambert's equal-area map of the disk's point of eq. 9-10 of Heitz 2018.
+template <class F>
+VNDF_INLINE CapPoint<F> polar_cap_map(Vec2<F> u) {
+  return {u.x, F(1.f) - u.x, deviation2pi(u.y)};
+}
+/// Of the concentric map's point. In the wedge around +t1 the versine is the polynomial's.
+template <class F>
+VNDF_INLINE CapPoint<F> concentric_cap_map(const Wedge<F>& w) {
+  auto from_axis = angle_in_wedge(w.x);
+  F cos = F(1.f) - from_axis.versine;
+  F along = op::select(w.along_t1, cos, from_axis.sin);
+  F across = op::select(w.along_t1, from_axis.sin + F(kTinySine), cos);
+  F versine = F(1.f) - op::with_sign_of(along, w.a);
+  return {w.r * w.r,
+          w.rim * (F(1.f) + w.r),
+          {op::select(w.along_t1, op::select(w.a > F(0.f), from_axis.versine, versine), versine),
+           op::with_sign_of(across, F(0.f) - w.b)}};
+}
+
+/// The view in the hemisphere configuration, A V, with its largest component scaled to 2^16 by a power of two.
+/// (1 + z) : (1 - z) is plus : minus, with plus + minus = 2 |A V| and plus minus = r2, neither a difference.
 template <class F>
 struct CapView {
-  F x, y, abs_z;  // A V, the last without its sign
-  F r2;           // x^2 + y^2
-  F length;       // |A V|
-  F sum;          // |A V| + |(A V).z|
+  F x, y, r2;  // r2 = x^2 + y^2
+  F length, abs_z;
+  F plus, minus;
+  F unscale;  // |A V| is length times this
 };
 
-/// h = A V, times `scale`, a power of two or 1.
-template <class F>
-VNDF_INLINE CapView<F> map_to_cap(const Vec3<F>& h, F scale) {
-  F x = h.x * scale;
-  F y = h.y * scale;
-  F abs_z = op::abs(h.z * scale);
+/// Section 3.2 of Heitz 2018, eq. 5, from h = A V. Azimuths of a tangent under 2^-56 are that of `azimuth`: nothing
+/// that a normal is made of is small then.
+template <class F, class Azimuth = XAxis>
+VNDF_INLINE CapView<F> cap_view(const Vec3<F>& h, Azimuth azimuth = {}) {
+  constexpr std::int32_t kScale = 16, kBias = 127, kExponent = 23;
+  constexpr float kSmallest = 0x1p-40f;
+  Int<F> abs_x = op::bits(op::abs(h.x)), abs_y = op::bits(op::abs(h.y)), bits_z = op::bits(op::abs(h.z));
+  Int<F> larger = op::max(abs_x, abs_y);
+  Int<F> exponent = op::max(op::max(larger, bits_z), Int<F>((kScale + 1) << kExponent)) & Int<F>(0x7f800000);
+  F scale = op::from_bits(op::minus(Int<F>(std::int32_t(std::uint32_t(2 * kBias + kScale) << kExponent)), exponent));
+  F x = h.x * scale, y = h.y * scale, z = h.z * scale;
+  auto none = op::from_bits(larger) * scale < F(kSmallest);
+  if constexpr (std::is_same_v<Azimuth, XAxis>) {
+    x = op::select(none, F(kSmallest), x);
+  } else {
+    x = op::select(none, azimuth.cos * F(kSmallest), x);
+    y = op::select(none, azimuth.sin * F(kSmallest), y);
+  }
+  F abs_z = op::abs(z);
   F r2 = x * x + y * y;
   F length = op::sqrt(r2 + abs_z * abs_z);
-  return {x, y, abs_z, r2, length, length + abs_z};
+  F large = length + abs_z;
+  F small = r2 / large;
+  auto below = z < F(0.f);
+  return {x,
+          y,
+          r2,
+          length,
+          abs_z,
+          op::select(below, small, large),
+          op::select(below, large, small),
+          op::from_bits(exponent - Int<F>(kScale << kExponent))};
 }
 
-/// The power of two that takes the largest component of A V to [1, 2).
+/// A visible normal from a cap, of any length, and `per_cos`, |nh|^2 / (2 A V.nh) for the scaled view.
 template <class F>
-VNDF_INLINE F cap_scale(const Vec3<F>& h) {
-  Int<F> larger = op::max(op::max(op::bits(op::abs(h.x)), op::bits(op::abs(h.y))), op::bits(op::abs(h.z)));
-  return op::from_bits(Int<F>(0x7f000000) - (op::max(larger, Int<F>(0x00800000)) & Int<F>(0x7f800000)));
-}
-
-/// The cap c.z >= -k Vh.z, by the height and the radius of its rim, both times |A V|.
-template <class F>
-struct Cap {
-  F height;   // 1 + k Vh.z
-  F radius2;  // 1 - (k Vh.z)^2
+struct CapNormal {
+  Vec3<F> nh;
+  F per_cos;
 };
 
-/// k = 1: the directions that all visible normals reflect the view to (Dupuy and Benyoub 2023). For h.z >= 0.
+/// Keeps a normal from under 2^-63 where u2 is nearly 0 and the view along the normal: its height would vanish with r^2
+/// though its direction does not.
+constexpr float kPole = 0x1p-68f;
+
+/// c + Vh from its component towards the view's azimuth, its component across and its height.
 template <class F>
-VNDF_INLINE Cap<F> visible_cap(const CapView<F>& view) {
-  return {view.sum, view.r2};
+VNDF_INLINE Vec3<F> along_view(const CapView<F>& view, F toward, F across, F z) {
+  return {toward * view.x - across * view.y, toward * view.y + across * view.x, z};
 }
-/// For any h.z: below the horizon 1 + Vh.z is the small one.
+
+/// The cap c.z >= -Vh.z, the directions that all visible normals reflect the view to (Dupuy and Benyoub 2023).
+///
+/// With G = minus + v plus and S = sqrt(u2 minus G), and the factor (S + minus) |A V|: the component towards the view
+/// is (1 - cos phi) (u2 G + S) - v (u2 plus - minus), that across -sin phi (u2 G + S), and the height v plus (S +
+/// minus).
 template <class F>
-VNDF_INLINE Cap<F> visible_cap(const CapView<F>& view, F h_z) {
-  return {op::select(h_z < F(0.f), view.r2 / view.sum, view.sum), view.r2};
+VNDF_INLINE CapNormal<F> on_cap(const CapView<F>& view, const CapPoint<F>& c) {
+  F v_plus = c.v * view.plus;
+  F g = view.minus + v_plus;
+  F s = op::sqrt((c.u2 * view.minus) * g);
+  F w = c.u2 * g + s;
+  F toward = c.phi.versine * w - c.v * (c.u2 * view.plus - view.minus);
+  F per_cos = (s + view.minus) + F(kPole);
+  return {along_view(view, toward, c.phi.minus_sin * w, v_plus * per_cos), per_cos};
 }
 
 /// The bound of Eto and Tokuyoshi 2023, eq. 5, with alpha the smaller of the two and at most 1 (their eq. 6; Tokuyoshi
@@ -73,43 +144,24 @@ VNDF_INLINE Bound<F> reflection_bound(Vec3<F> wo, Vec2<F> alpha) {
   return {(((F(1.f) - a) * (F(1.f) + a)) * s2) * inv, (a2 * (s2 + z2)) * inv};
 }
 
-template <class F>
-VNDF_INLINE Cap<F> bounded_cap(const CapView<F>& view, const Bound<F>& bound) {
-  F z2 = view.abs_z * view.abs_z;
-  return {view.length + bound.k * view.abs_z, view.r2 + (bound.one_minus_k * (F(1.f) + bound.k)) * z2};
-}
-
-/// A cap, and the view that its points are added to, less the third component: the height of a point over the rim
-/// makes up for it.
-template <class F>
-struct CapAtView {
-  F x, y;
-  Cap<F> cap;
-};
-
-/// From h = A V of any length.
-template <class F>
-VNDF_INLINE CapAtView<F> visible_cap_of(const Vec3<F>& h) {
-  auto view = map_to_cap(h, cap_scale(h));
-  return {view.x, view.y, visible_cap(view, h.z)};
-}
-
-/// A uniform point c of the cap plus the view: Nh = c + Vh up to a positive factor. `r2` and phi are a point of the
-/// unit disk that Lambert's map lays on the cap, e = 1 - r2.
+/// The cap c.z >= -k Vh.z, for views with z >= 0.
 ///
-/// With z the height of c over the rim, 1 - c.z^2 = r2 (1 - (k Vh.z)^2 + (1 + k Vh.z) z): no difference is taken. What
-/// stays is the sum c + Vh where c is nearly -Vh. The third component is that of c over the rim, (1 - k) Vh.z short.
+/// With d = v (|A V| + k z) and R = sqrt(u2 (|A V|^2 - (k z)^2 + (|A V| + k z) d)), the root of |A V|^2 sin_c^2, and
+/// the factor (R + r) |A V| r: the component towards the view is (1 - cos phi) R (R + r) - (u2 (|A V| + k z) - minus)
+/// (d + (1 - k) z), that across -sin phi R (R + r), the height (d + (1 - k) z) (R + r).
 template <class F>
-VNDF_INLINE Vec3<F> on_cap(const CapAtView<F>& view, F r2, F e, const Angle<F>& phi) {
-  F z = e * view.cap.height;
-  F radius = op::sqrt(r2 * (view.cap.radius2 + view.cap.height * z));
-  return {radius * phi.cos + view.x, radius * phi.sin + view.y, z};
-}
-
-/// Dupuy and Benyoub 2023, Listing 3, with u1 = phi / 2 pi for the azimuth and u2 for the height of c.
-template <class F>
-VNDF_INLINE Vec3<F> on_visible_cap(const CapAtView<F>& view, const Angle<F>& phi, F u2) {
-  return on_cap(view, u2, F(1.f) - u2, phi);
+VNDF_INLINE CapNormal<F> on_bounded_cap(const CapView<F>& view, const Bound<F>& bound, const CapPoint<F>& c) {
+  F height = view.length + bound.k * view.abs_z;
+  F rest = bound.one_minus_k * view.abs_z;
+  F radius2 = view.r2 + (rest * (F(1.f) + bound.k)) * view.abs_z;
+  F d = c.v * height;
+  F h_z = d + rest;
+  F r2 = c.u2 * (radius2 + height * d);
+  F rr = op::sqrt(r2 * view.r2);
+  F w = r2 + rr;
+  F toward = c.phi.versine * w - (c.u2 * height - view.minus) * h_z;
+  F per_cos = (rr + view.r2) + F(kPole);
+  return {along_view(view, toward, c.phi.minus_sin * w, h_z * per_cos), per_cos};
 }
 
 }  // namespace VNDF_LANES_BUILD

@@ -40,7 +40,8 @@ template <class F>
 VNDF_INLINE Tilted<F> tilted_shape(const Vec2<F>& alpha, F theta_x, F theta_y, F theta_z) {
   using W = Wide<F>;
   auto x = angle_of<W>(theta_x), y = angle_of<W>(theta_y), z = angle_of<W>(theta_z);
-  W alpha_x = op::widen(alpha.x), alpha_y = op::widen(alpha.y), determinant = alpha_x * alpha_y;
+  W alpha_x = op::widen(at_least_mirror(alpha.x)), alpha_y = op::widen(at_least_mirror(alpha.y)),
+    determinant = alpha_x * alpha_y;
   W ax_xcos = alpha_x * x.cos, ay_xsin = alpha_y * x.sin, ax_ysin = alpha_x * y.sin;
   W without_y = ay_xsin * ay_xsin + x.cos * x.cos;  // a3_a3 for theta_y = 0
   W a1_a3 = (y.sin * y.cos) * (alpha_x * alpha_x - without_y);
@@ -57,10 +58,10 @@ VNDF_INLINE Tilted<F> tilted_shape(const Vec2<F>& alpha, F theta_x, F theta_y, F
       dot(d1, d2), op::sqrt(dot(d2, d2))};
   auto shape = triangle<F>(products);
 
-  // The x axis of a triangle is along c2. That of theta_z = 0 has these components along d2 and across, times 2^40 to
+  // The x axis of a triangle is along c2. That of theta_z = 0 has these components along d2 and across, times 2^30 to
   // keep their squares.
-  F along = op::narrow(dot(c2, d2) * products.inverse()) * F(0x1p40f);
-  F across = F(0.f) - op::narrow(z.sin) * (shape.xx * F(0x1p40f));
+  F along = op::narrow(dot(c2, d2) * products.inverse()) * F(0x1p30f);
+  F across = F(0.f) - op::narrow(z.sin) * (shape.xx * F(0x1p30f));
   F length = op::sqrt(along * along + across * across);
   shape.azimuth = {along / length, across / length};
   return shape;
