@@ -32,12 +32,15 @@ class DielectricKernel {
     surface.prepare(in, n);
     facets_.sample(in, surface, n);
     for (std::size_t i = 0; i < n; i += kWidth) indices_.store(i, load_index<7>(in, i));
+    for (std::size_t i = 0; i < n; i += kWidth)
+      seen_.store(i,
+                  seen_normal(FacingUp::view(surface.frame.wo(in, i)), facets_.load(i).nh, surface.shape.load(in, i)));
     for (std::size_t i = 0; i < n; i += kWidth) {
       in.template prefetch<3, 4>(i);
       Vec3<F> wo = FacingUp::view(surface.frame.wo(in, i));
       const auto& shape = surface.shape.load(in, i);
       auto facet = facets_.load(i);
-      auto normal = normal_of(wo, facet, shape);
+      auto normal = normal_of(facet, seen_.load(i));
       directions_.store(i, {reflect(wo, normal), spread(facet.nh, normal, facets_.size(i).area, shape)});
       normals_.store(i, unit_normal(normal));
     }
@@ -78,6 +81,7 @@ class DielectricKernel {
 
  private:
   Facets<warp, false, FacingUp, Surface> facets_;
+  StagedForShading<lanes::SeenNormal<F>> seen_;
   StagedForShading<Direction> directions_;
   StagedForShading<lanes::UnitNormal<F>> normals_;
   StagedForShading<lanes::Index<F>> indices_;

@@ -122,11 +122,13 @@ class ReflectionKernel {
  private:
   template <bool with_normals, std::size_t N>
   VNDF_INLINE void shade(const Inputs<N>& in, const Outputs<9>& out, std::size_t n) {
+    for (std::size_t i = 0; i < n; i += kWidth)
+      seen_.store(i, seen_normal(surface.frame.wo(in, i), facets_.load(i).nh, surface.shape.load(in, i)));
     for (std::size_t i = 0; i < n; i += kWidth) {
       Vec3<F> wo = surface.frame.wo(in, i);
       const auto& shape = surface.shape.load(in, i);
       auto facet = facets_.load(i);
-      auto normal = normal_of(wo, facet, shape);
+      auto normal = normal_of(facet, seen_.load(i));
       directions_.store(i, {reflect(wo, normal), spread(facet.nh, normal, facets_.size(i).area, shape)});
       if constexpr (with_normals) normals_.store(i, unit_normal(normal, surface.frame.theta_z(i)));
     }
@@ -154,6 +156,7 @@ class ReflectionKernel {
   }
 
   Facets<warp, bounded, AsGiven, Surface> facets_;
+  StagedForShading<lanes::SeenNormal<F>> seen_;
   StagedForShading<Direction> directions_;
   StagedForShading<typename Masked::template Light<F>> lights_;
   StagedForShading<lanes::UnitNormal<F>> normals_;

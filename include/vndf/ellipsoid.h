@@ -44,10 +44,10 @@ class Shape {
 
 enum class ShapeError { none, not_finite, not_positive, out_of_range };
 
-/// Shape of a general matrix A, row by row: eq. 1 with n = +z. A factor, or an orthogonal matrix on the left, changes
-/// nothing: what is kept is the lower triangle with A n = n that they leave of A. |A| must be more than 2^-40 |a1| |a2|
-/// |a3|, with the columns' lengths, the triangle's diagonal between 2^-26 and 2^26 and the rest of it at most 2^26;
-/// else `shape` is unchanged, and the answer is the reason.
+/// Shape of a general matrix A, row by row: eq. 1 with n = +z. A positive factor, or a rotation on the left, changes
+/// nothing but roundings: what is kept is the lower triangle with A n = n that they leave of A. |A| must be more than
+/// 2^-40 |a1| |a2| |a3|, with the columns' lengths, the triangle's diagonal between 2^-26 and 2^26 and the rest of it
+/// at most 2^26; else `shape` is unchanged, and the answer is the reason.
 [[nodiscard]] ShapeError make_shape(const float (&a)[9], Shape& shape) noexcept;
 
 /// One line for people.
@@ -62,10 +62,12 @@ const char* message(ShapeError error) noexcept;
 /// from the view's, on the cap from the one opposite; those of a view along n from the x axis of theta_z = 0, and for
 /// shapes of make_shape from the normal of A y and A n.
 ///
-/// Ratio, see vndf.h, against Walter's eq. 34-47 with A itself in quadruple precision: at most 16 for any angles and
-/// alpha up to 1. Beyond, A^T of leaning ellipsoids cancels, and random numbers finer than 2^-24 show it: 72 measured.
+/// Ratio, see vndf.h, against Walter's eq. 34-47 with the triangle of A in quadruple precision: at most 16 for any
+/// angles and alpha up to 1. Beyond, A^T of leaning ellipsoids cancels, and random numbers finer than 2^-24 show it: 72
+/// measured.
 ///
-/// alpha = 0 is taken as 2^-60. NaN or infinity in any input of a lane: unspecified values or NaN in that lane.
+/// Where the matrix is worked out, the second way and the fourth, alpha is taken as at least 2^-60, without sign. NaN
+/// or infinity in any input of a lane: unspecified values or NaN in that lane.
 void sample_normals(Warp warp, std::size_t count, const Columns3& wo, const Ellipsoid& ellipsoid, const Columns2& u,
                     const Out3& wm) noexcept;
 void sample_normals(Warp warp, std::size_t count, const Columns3& wo, const Shape& shape, const Columns2& u,

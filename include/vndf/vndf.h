@@ -18,20 +18,21 @@
 //    [0, count) of an output.
 //  - Aliasing: an output may be the same column as an input of the same call (in place), since every input of an index
 //    is read before its outputs are written. Outputs must not overlap one another, nor an input at another offset.
-//  - Every output is written, and none may be a null pointer but those that ReflectionSamples says. That, enumerators
-//  in
-//    their range and a count that an array can have are preconditions: debug builds of the library assert them.
-//  - Results are finite for finite inputs of the stated domains. A density is at most 2^60, and is that for what is a
-//    delta: roughness 0, or an index of 1. Its square is finite too, so the weights of multiple importance sampling are
-//    those of a delta.
+//  - Every output is written. Outputs may be null pointers only for count 0, or where ReflectionSamples says. That,
+//    enumerators in their range and count <= PTRDIFF_MAX / 4 are preconditions, which debug builds of the library
+//    assert.
+//  - Results are finite for finite inputs of the stated domains. A density is at most 2^60, the one of what is a delta,
+//    roughness 0 or an index of 1, where it is sampled. Its square is finite too, so the weights of multiple importance
+//    sampling are those of a delta.
 //
 // Accuracy is stated as a ratio, since some inputs are so steep that a distance says nothing: the error of a result
 // over the sum of what the exact result moves by when each input moves by half a unit of its last place, and half a
-// unit of the result's last place. 1 is a correctly rounded result of correctly rounded inputs. The ratios are largest
-// ones, measured by tests/ratio against the papers' plain formulas in quadruple precision: over near-normal, grazing
-// and horizontal views, views below the horizon, floors seen at 89 to 89.9999 degrees, views off unit length by up to
-// 1e-3, alpha from 1e-6 to 100 and eight decades apart, and random numbers of any spacing from 2^-149, 0 and 1
-// included.
+// unit of the result's last place. A correctly rounded result has at most 1. The ratios are bounds that tests/ratio
+// holds against the papers' plain formulas in quadruple precision, with a thousand and more samples of each of 43 rows:
+// near-normal, grazing and horizontal views, views below the horizon, floors seen at 89 to 89.9999 degrees, views off
+// unit length by up to 1e-3, alpha from 1e-6 to 100 and eight decades apart, and random numbers of any spacing from
+// 2^-149, 0 and 1 included. A search for worse inputs finds 5.8 where 6 is stated, and 32 where 8 is, for alpha seven
+// decades apart.
 #pragma once
 
 #include <cstddef>
@@ -40,8 +41,8 @@
 namespace vndf {
 
 /// An input column: `count` floats, or one value for the whole batch (a material's alpha, a directional camera). The
-/// two give the same bits as each other, but for the angles of an Ellipsoid; a constant saves the reads. The floats
-/// must outlive the call only. A null pointer is the constant 0.
+/// two give the same bits as each other, but for the columns of an Ellipsoid, which choose how it is computed; a
+/// constant saves the reads. The floats need to live until the call returns. A null pointer is the constant 0.
 struct Column {
   const float* data;  ///< `count` floats, or a null pointer for a constant
   float value;        ///< the constant, where data is null
@@ -77,7 +78,7 @@ struct Out3 {
 enum class Warp {
   polar,          ///< Heitz 2018, eq. 9-10
   concentric,     ///< Shirley and Chiu 1997; Walter et al. 2015, eq. 34-37
-  spherical_cap,  ///< Dupuy and Benyoub 2023, Listing 3
+  spherical_cap,  ///< Dupuy and Benyoub 2023, Listing 3, with azimuths from the point opposite to the view
 };
 
 /// The two maps from the unit square to the unit disk.
@@ -92,21 +93,19 @@ enum class DiskMap { polar, concentric };
 /// wm     unit normals of the upper hemisphere, wm.z >= 0.
 ///
 /// Ratio (see above): polar and concentric at most 6, p99.9 4; spherical_cap 8. The norm of every result is within 5
-/// eps = 5 x 2^-24 of 1. As a distance in eps, over 2^20 samples of each of the hard cases of tests/accuracy_test.cpp,
-/// polar and concentric: mean at most 1.2, p99.9 8, largest 40 but where the inputs' own rounding moves the exact
-/// normal by more.
-///
-/// The spherical cap counts azimuths from the point opposite to the view.
+/// eps = 5 x 2^-24 of 1. As a distance in eps, over 2^20 samples of each of the hard cases of tests/accuracy_test.cpp
+/// with alpha up to 1: mean at most 1.2, p99.9 8, largest 40, or twice what half a unit of wo and alpha moves the exact
+/// normal by.
 ///
 /// Special values, each confined to its own lane:
-///  - wo = (0, 0, -1): no normal is visible; some unit normal of the upper hemisphere. So it is for caps where c and
-///    the view are opposite to within 2^-60: u2 = 1 and u1 next to 0 or 1.
+///  - wo = (0, 0, -1): no normal is visible; some unit normal of the upper hemisphere. So it is for the cap where
+///    its point is opposite to the view to within 2^-60: u2 = 1 and u1 = 0, 1, or below about 2^-60.
 ///  - u = 0 and u = 1: the limit.
 ///  - wo = 0: some unit normal.
-///  - the tangent of A wo below 2^-46: taken as 2^-46.
-///  - azimuth (alpha_x wo.x, alpha_y wo.y) below 2^-110 in both components: taken as +x.
-///  - alpha below 2^-38: near the rim of the disk towards a mirror's normal. alpha = 0: (0, 0, 1).
-///  - negative alpha: the normal of the view mirrored in that axis, mirrored back.
+///  - the angle between A wo and z below 2^-46, 2^-56 for the cap: the former is taken as 2^-46, azimuths of the latter
+///    as +x. So are azimuths of (alpha_x wo.x, alpha_y wo.y) below 2^-110 in both components.
+///  - alpha = 0: (0, 0, 1).
+///  - negative alpha: wo is mirrored in that axis, sampled for |alpha|, and the normal mirrored back.
 ///  - u outside [0, 1]: unspecified values or NaN.
 ///  - NaN or infinity in any input of a lane, or |alpha wo| >= 2^126: unspecified values or NaN in that lane.
 ///
@@ -121,8 +120,8 @@ void sample_normals(Warp warp, std::size_t count, const Columns3& wo, const Colu
 /// t      points (t1, t2). Polar: sqrt(u1) (cos, sin)(2 pi u2), Heitz 2018, eq. 9-10. Concentric: Walter et al. 2015,
 ///        eq. 34-37.
 ///
-/// Largest error of the point over 2^20 random points, in units of 2^-24: polar 3.2, concentric 2.5
-/// (tests/disk_test.cpp). |t|^2 can exceed 1 by 5 x 2^-24.
+/// Largest error of the point over 2^20 random points, in units of 2^-24: bound 4, measured
+/// 3.2 and 2.5 (tests/disk_test.cpp). |t|^2 can exceed 1 by 7 x 2^-24.
 ///
 /// u outside [0, 1], infinite or NaN: unspecified values or NaN in that lane.
 void sample_disk(DiskMap map, std::size_t count, const Columns2& u, const Out2& t) noexcept;
@@ -164,23 +163,21 @@ struct ReflectionSamples {
 ///            all the same, and pdf and weight are 0.
 /// pdf        density of wi over solid angle, eq. 17: D(wm) G1(wo) / (4 wo.z), more if bounded.
 /// weight     f(wo, wi) wi.z / pdf without Fresnel's factor, in [0, 1]: G2(wo, wi) / G1(wo), eq. 19, less if bounded.
-/// wm         the normal: not bounded, the bits of sample_normals.
+/// wm         the normal; unless bounded, bit for bit that of sample_normals.
 /// wo_dot_wm  its cosine to the view, for Fresnel's factor; not above 1 for unit views, and neither is wi.z.
 ///
 /// Ratio: wi, pdf and weight at most 16, wm as for sample_normals, bounded 8. |wi| is within 9 eps of |wo|. The weight
 /// is that of a wi whose z may be 2^-42 off, bounded 2^-25.
 ///
-/// pdf agrees with evaluate_reflection for the rounded wi within 16 eps (4 + 2 / alpha) where wo.wm >= 1/4, and
-/// 4 eps (4 + 2 / alpha) / (wo.wm) anywhere, alpha being the smaller one and at most 1.
+/// pdf agrees with evaluate_reflection for the rounded wi within 4 eps (4 + 2 / alpha) / (wo.wm), alpha being the
+/// smaller one and at most 1; for alpha above 1 within twice that.
 ///
 /// Special values, each confined to its own lane:
-///  - alpha_x = 0 or alpha_y = 0, or both: wi is a mirror's, in one direction or in both, and pdf 2^60.
+///  - alpha_x = 0 or alpha_y = 0, or both: finite, pdf at most 2^60, and of both that.
 ///  - wo = 0: pdf and weight 0.
 ///  - negative alpha: as its absolute value, with the normals that sample_normals gives.
 ///  - wo of another length: wi has that length too, pdf is off by it; bounded, the samples are others.
 ///  - u outside [0, 1], NaN or infinity in any input of a lane: unspecified values or NaN in that lane.
-///
-/// Aliasing as for every function: an output may lie over an input.
 ///
 /// Source: Heitz 2018, appendix B, in the forms without division by cosines of lanes/ggx.h and lanes/reflection.h.
 void sample_reflection(Warp warp, std::size_t count, const Columns3& wo, const Columns2& alpha, const Columns2& u,
@@ -200,9 +197,10 @@ struct Evaluations {
 /// f_cos   f(wo, wi) wi.z without Fresnel's factor: D(h) G2(wo, wi) / (4 wo.z), eq. 15.
 /// pdf     density of wi given wo, under the same options as sample_reflection.
 ///
-/// Both are 0 where the pair is impossible: wo.z < 0, wi.z <= 0, or wo = 0; and where |wo + wi| is below 2^-70.
+/// Both are 0 where the pair is impossible: wo.z < 0, wi.z <= 0, or wo = 0. Where |wo + wi| is
+/// below 2^-70 they are finite, and may be 0.
 ///
-/// Ratio at most 8; relative error at most 18 eps for either: nothing cancels, h = wo + wi is taken as it is.
+/// Ratio at most 8; relative error at most 25 eps for either: nothing cancels, h = wo + wi is taken as it is.
 ///
 /// Special values: alpha = 0 and h = +z: up to 2^60; NaN or infinity in any input of a lane, or directions far from
 /// unit length: unspecified values or NaN in that lane.
@@ -218,7 +216,7 @@ void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& 
 /// alpha   roughness along x and y, from 1e-6 to 100; D takes alpha below 2^-60 as 2^-60.
 /// pdf     density of wm over solid angle; 0 where wm.z < 0 or wo.wm <= 0, and for wo = 0.
 ///
-/// Ratio at most 8; relative error 18 eps / (wo.wm), wo.wm being a sum of products of what is given. The integral over
+/// Ratio at most 8; relative error 25 eps / (wo.wm), wo.wm being a sum of products of what is given. The integral over
 /// all wm is 1 within 1e-5.
 ///
 /// NaN or infinity in any input of a lane: unspecified values or NaN in that lane.
@@ -254,10 +252,12 @@ struct DielectricSamples {
 ///
 /// pdf and weight are 0 where wi comes out at the wrong side of the surface.
 ///
-/// Ratio: wi, pdf and weight at most 16, for eta from 0.1 to 10, those next to 1 included. Of views off unit length it
-/// counts that as well.
+/// Ratio: wi, pdf and weight at most 16, for eta from 0.1 to 10 with |eta - 1| from 1e-4, and views within 8 eps of
+/// unit length; off by up to 1e-3, reflected wi and the weight alone. pdf is to 2^-62 absolute too, the weight that of
+/// a wi whose z may be 2^-42 off.
 ///
-/// Special values: |eta - 1| < 2^-16 counts as index-matched: wi = -wo, side -1, weight 1, pdf 2^60. eta that is 0,
+/// Special values: |eta - 1| < 2^-16 counts as index-matched: wi = -wo, side -1, weight 1, pdf 2^60,
+/// both 0 for a horizontal view; from below it is 1 / eta that is compared. eta that is 0,
 /// negative, NaN, or not between 2^-20 and 2^20: pdf and weight 0. wo = 0: pdf and weight 0. NaN or infinity in any
 /// other input of a lane: unspecified values or NaN in that lane.
 ///
@@ -278,8 +278,9 @@ void sample_dielectric(Warp warp, std::size_t count, const Columns3& wo, const C
 /// indices that are matched or impossible.
 ///
 /// Ratio at most 8. Fresnel's transmittance is that of both cosines: f / eta^2 is symmetric to 1e-5 relative where
-/// neither cosine to the normal is under 0.01. What sample_dielectric returns with a density evaluates to one, and to
-/// the same but for the rounding of wi. NaN or infinity in any input of a lane: unspecified values or NaN in that lane.
+/// neither cosine to the normal is under 0.01. What sample_dielectric returns with a density has one when
+/// evaluated too, the same but for the rounding of wi; index-matched samples, which evaluate to 0, are the exception.
+/// NaN or infinity in any input of a lane: unspecified values or NaN in that lane.
 ///
 /// Source: Walter et al. 2007, eq. 20 and 21.
 void evaluate_dielectric(std::size_t count, const Columns3& wo, const Columns3& wi, const Columns2& alpha,
@@ -302,7 +303,8 @@ struct Isas {
 Isas isas() noexcept;
 
 /// The name of the set in use: the last one of isas() that is supported, unless the environment variable VNDF_ISA or
-/// set_isa() chose another. VNDF_ISA is read once, before the first batch; a name that is unknown or not supported is
+/// set_isa() chose another. VNDF_ISA is read at most once, when the first batch or
+/// active_isa() has to choose; a name that is unknown or not supported is
 /// reported on stderr once, and ignored.
 const char* active_isa() noexcept;
 

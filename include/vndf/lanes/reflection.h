@@ -42,21 +42,21 @@ VNDF_INLINE Facet<F> sample_on_chord(const HemisphereView<F>& view, F length, co
 /// Of all visible normals: |A wo| and, upright shapes leaving z as it is, wo.z.
 template <bool upright, class F>
 VNDF_INLINE ViewSize<F> visible_size(const CapView<F>& view, F h_z) {
-  F length = view.length * view.unscale;
+  F length = view.length * unscale(view);
   if constexpr (upright)
     return {length, length + h_z};
   else
-    return {length, view.plus * view.unscale};
+    return {length, view.plus * unscale(view)};
 }
 template <class F>
 VNDF_INLINE ViewSize<F> bounded_size(const CapView<F>& view, F h_z, const Bound<F>& bound) {
-  F length = view.length * view.unscale;
+  F length = view.length * unscale(view);
   return {length, length + bound.k * op::abs(h_z)};
 }
 
 template <class F>
 VNDF_INLINE CapFacet<F> facet_of(const CapNormal<F>& normal, const CapView<F>& view) {
-  return {normal.nh, normal.per_cos / view.unscale};
+  return {normal.nh, normal.per_cos * view.scale};
 }
 
 /// The normal in the ellipsoid configuration, not normalised: p = c A^T Nh = c |A^T Nh| wm, and `along` = 2 wo.p /
@@ -82,20 +82,33 @@ VNDF_INLINE Inverses<F> inverses(const CapFacet<F>& facet, F p2) {
   return {inv_p2, (dot(facet.nh, facet.nh) * inv_p2) / facet.per_cos};
 }
 
+/// A^T Nh up to its length, and wo.p.
+template <class F>
+struct SeenNormal {
+  LongNormal<F> normal;
+  F wo_p;
+};
+template <class F, class Shape = Vec2<F>>
+VNDF_INLINE SeenNormal<F> seen_normal(const Vec3<F>& wo, const Vec3<F>& nh, const Shape& shape) {
+  auto normal = stretch_normal(nh, shape);
+  return {normal, dot(wo, normal.p)};
+}
+
 /// The facet knows the cosine to full relative accuracy, which weights at grazing angles need. But of the exact normal:
-/// where rounding has moved p (far, for steep problems), a wi made of the two would not be as long as wo. There, and
-/// where the cosine is not small, that of p itself is right.
+/// where rounding has moved p (far, for steep problems), a wi made of the two would not be as long as wo. There, that
+/// of p itself is right.
+template <class F, template <class> class Facet>
+VNDF_INLINE Normal<F> normal_of(const Facet<F>& facet, const SeenNormal<F>& seen) {
+  constexpr float kRounding = 0x1p-22f;  // of 4 (wo.wm)^2
+  const auto& [p, p2] = seen.normal;
+  auto inverse = inverses(facet, p2);
+  F of_p = (seen.wo_p + seen.wo_p) * inverse.inv_p2;
+  F off = op::abs(inverse.along * inverse.along - of_p * of_p) * p2;
+  return {p, p2, inverse.inv_p2, op::select(off < F(kRounding), inverse.along, of_p)};
+}
 template <class F, template <class> class Facet, class Shape = Vec2<F>>
 VNDF_INLINE Normal<F> normal_of(const Vec3<F>& wo, const Facet<F>& facet, const Shape& shape) {
-  constexpr float kSmall = 0x1p-4f, kRounding = 0x1p-21f;  // of 4 (wo.wm)^2
-  auto normal = stretch_normal(facet.nh, shape);
-  auto inverse = inverses(facet, normal.p2);
-  F of_p = dot(wo, normal.p);
-  of_p = (of_p + of_p) * inverse.inv_p2;
-  F cos2 = (of_p * of_p) * normal.p2;
-  F off = op::abs((inverse.along * inverse.along) * normal.p2 - cos2);
-  auto agree = (cos2 < F(kSmall)) & (off < F(kRounding));
-  return {normal.p, normal.p2, inverse.inv_p2, op::select(agree, inverse.along, of_p)};
+  return normal_of(facet, seen_normal(wo, facet.nh, shape));
 }
 
 /// Without the excess over 1 that only rounding can give a cosine of unit vectors: callers take sqrt(1 - c^2).

@@ -53,8 +53,13 @@ struct CapView {
   F x, y, r2;  // r2 = x^2 + y^2
   F length, abs_z;
   F plus, minus;
-  F unscale;  // |A V| is length times this
+  F scale;  // the power of two
 };
+/// What takes lengths back to those of A V.
+template <class F>
+VNDF_INLINE F unscale(const CapView<F>& view) {
+  return op::from_bits(Int<F>(0x7f000000) - op::bits(view.scale));
+}
 
 /// Section 3.2 of Heitz 2018, eq. 5, from h = A V. Azimuths of a tangent under 2^-56 are that of `azimuth`: nothing
 /// that a normal is made of is small then.
@@ -80,14 +85,7 @@ VNDF_INLINE CapView<F> cap_view(const Vec3<F>& h, Azimuth azimuth = {}) {
   F large = length + abs_z;
   F small = r2 / large;
   auto below = z < F(0.f);
-  return {x,
-          y,
-          r2,
-          length,
-          abs_z,
-          op::select(below, small, large),
-          op::select(below, large, small),
-          op::from_bits(exponent - Int<F>(kScale << kExponent))};
+  return {x, y, r2, length, abs_z, op::select(below, small, large), op::select(below, large, small), scale};
 }
 
 /// A visible normal from a cap, of any length, and `per_cos`, |nh|^2 / (2 A V.nh) for the scaled view.
