@@ -82,7 +82,8 @@ void sample_reflection(Warp warp, std::size_t count, const Columns3& wo, const S
                        const ReflectionSamples& out) noexcept;
 
 /// evaluate_reflection of vndf.h: f_cos = D(h) G1(wo) G1(wi) / (4 wo.z), eq. 4, and the pdf of sample_reflection. Both
-/// are 0 where wo.z < 0 or wi.z <= 0. For theta = 0 as above. Ratio at most 16.
+/// are 0 where wo.z < 0 or wi.z <= 0. For theta = 0 as above. Ratio at most 20,
+/// p99.9 8, for alpha up to 1.
 void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& wi, const Ellipsoid& ellipsoid,
                          const Evaluations& out) noexcept;
 void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& wi, const Shape& shape,
@@ -106,7 +107,7 @@ void sample_dielectric(Warp warp, std::size_t count, const Columns3& wo, const S
 
 /// evaluate_dielectric of vndf.h: f(wo, wi) |wi.z| of Walter et al. 2007, eq. 20 and 21, with D of eq. 1 and G of
 /// eq. 7, and the pdf of sample_dielectric. f / eta^2 of the side of wi is symmetric. For theta = 0 as there, f_cos as
-/// the weights. Ratio at most 16.
+/// the weights. Ratio at most 20, p99.9 8, for alpha up to 1.
 void evaluate_dielectric(std::size_t count, const Columns3& wo, const Columns3& wi, const Ellipsoid& ellipsoid,
                          const Column& eta, const Evaluations& out) noexcept;
 void evaluate_dielectric(std::size_t count, const Columns3& wo, const Columns3& wi, const Shape& shape,

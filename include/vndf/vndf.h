@@ -98,8 +98,9 @@ enum class DiskMap { polar, concentric };
 /// normal by.
 ///
 /// Special values, each confined to its own lane:
-///  - wo = (0, 0, -1): no normal is visible; some unit normal of the upper hemisphere. So it is for the cap where
-///    its point is opposite to the view to within 2^-60: u2 = 1 and u1 = 0, 1, or below about 2^-60.
+///  - wo = (0, 0, -1): no normal is visible; some unit normal of the upper hemisphere. So it is for
+///    caps where the point is opposite to the view to within 2^-30: u2 = 1 and u1 = 0, 1 or below 2^-30, or any u1 for
+///    views within 2^-30 of the normal.
 ///  - u = 0 and u = 1: the limit.
 ///  - wo = 0: some unit normal.
 ///  - the angle between A wo and z below 2^-46, 2^-56 for the cap: the former is taken as 2^-46, azimuths of the latter
@@ -166,7 +167,7 @@ struct ReflectionSamples {
 /// wm         the normal; unless bounded, bit for bit that of sample_normals.
 /// wo_dot_wm  its cosine to the view, for Fresnel's factor; not above 1 for unit views, and neither is wi.z.
 ///
-/// Ratio: wi, pdf and weight at most 16, wm as for sample_normals, bounded 8. |wi| is within 9 eps of |wo|. The weight
+/// Ratio: wi, pdf and weight at most 16, wm as for sample_normals, bounded 8. |wi| is within 10 eps of |wo|. The weight
 /// is that of a wi whose z may be 2^-42 off, bounded 2^-25.
 ///
 /// pdf agrees with evaluate_reflection for the rounded wi within 4 eps (4 + 2 / alpha) / (wo.wm), alpha being the

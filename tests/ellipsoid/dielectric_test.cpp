@@ -315,8 +315,8 @@ TEST(Dielectric, MaskingOfTurnedDirections) {
     evaluate_reflection(kCount, wo_up.in(), wi_up.in(), p.ellipsoid(), upper.out());
     evaluate_reflection(kCount, wo_up.in(), wi_flat.in(), p.ellipsoid(), reflected.out());
     for (std::size_t i = 0; i < kCount; ++i) {
-      ASSERT_NEAR(value.f_cos[i], other.f_cos[i], 2e-5 * value.f_cos[i]) << i;
-      ASSERT_NEAR(value.pdf[i], other.pdf[i], 2e-5 * value.pdf[i]) << i;
+      ASSERT_NEAR(value.f_cos[i], other.f_cos[i], 1e-3 * value.f_cos[i]) << i;
+      ASSERT_NEAR(value.pdf[i], other.pdf[i], 1e-3 * value.pdf[i]) << i;
       if (!(value.pdf[i] > 0) || sample.side[i] > 0) continue;
       ++across;
       double weight = double(value.f_cos[i]) / value.pdf[i], exact = double(upper.f_cos[i]) / upper.pdf[i];

@@ -38,7 +38,7 @@ struct Dielectric {
   static auto moves() { return moves_of<kInputs>(kU); }
   static bool in_domain(const std::array<float, kInputs>& in) {
     return is_nearly_unit(in.data()) && has_azimuth(in.data()) && is_surface<Surface>(&in[3]) && is_index(in[kEta]) &&
-           in_unit_interval(in, kU);
+           in_unit_interval(in, kU) && !(warp == Warp::spherical_cap && in[kU + 1] == 1);
   }
 
   static std::vector<Founds> run(const Table& in) {

@@ -65,7 +65,9 @@ template <class Surface, bool bounded>
 struct Reflection {
   static constexpr std::size_t kInputs = 6 + Surface::kInputs, kResults = 3;
   using Founds = std::array<Found, kResults>;
-  static constexpr std::array<Bound, kResults> bounds = {{{"pdf", 8, 8}, {"f_cos", 8, 8}, {"separable f_cos", 8, 8}}};
+  static constexpr double kMax = Surface::kInputs == 5 ? 20 : 8;  // leaning: A^-T v and the lunes of grazing light
+  static constexpr std::array<Bound, kResults> bounds = {
+      {{"pdf", kMax, 8}, {"f_cos", kMax, 8}, {"separable f_cos", kMax, 8}}};
 
   static auto moves() { return moves_of<kInputs>(); }
   static bool in_domain(const std::array<float, kInputs>& in) {

@@ -40,7 +40,7 @@ struct Reflection {
                                                           {"weight", 16, 16},
                                                           {"separable weight", 16, 16},
                                                           {"wm", kNormal, kNormal},
-                                                          {"cos", 16, 16}}};
+                                                          {"cos", Surface::kByLunes ? 20 : 16, 16}}};
 
   static auto moves() { return moves_of<kInputs>(kU); }
   static bool in_domain(const std::array<float, kInputs>& in) {

@@ -9,7 +9,7 @@ constexpr Quad kPi = reference::kPi<Quad>;
 /// Both components of (A wo).xy below this: the azimuth is that of the x axis.
 constexpr Quad kNoAzimuth = Quad(0x1p-110);
 /// Where c + Vh is no longer than this, c is -Vh and every normal is right.
-constexpr Quad kNoSum = Quad(0x1p-60);
+constexpr Quad kNoSum = Quad(0x1p-30);
 /// No function gives a larger density.
 constexpr Quad kLargestPdf = Quad(0x1p60);
 
@@ -298,7 +298,7 @@ Sample sample_reflection(Warp warp, bool bounded, const Vec& wo, const Surface& 
   auto weight_of = [&](const Vec& light) { return weight(from, wo, light, surface); };
   Masked w = weight_of(wi);
   return {facet.normal, wi, capped(reflection_pdf(facet.ndf, from)), w,
-          slack(weight_of, wi, bounded ? kHalfAUnit : kNextToHorizontal, w)};
+          slack(weight_of, wi, bounded || surface.by_lunes ? kHalfAUnit : kNextToHorizontal, w)};
 }
 
 Sample sample_dielectric(Warp warp, bool reflects, const Vec& view, const Surface& surface, Quad index, Quad u1,
@@ -319,7 +319,7 @@ Sample sample_dielectric(Warp warp, bool reflects, const Vec& view, const Surfac
   auto weight_of = [&](const Vec& light) { return dielectric_weight(reflects, from, wo, light, surface); };
   Masked w = weight_of(wi);
   return {facet.normal, mirrored(below, wi), capped(pdf), w,
-          slack(weight_of, wi, reflects ? kNextToHorizontal : -kNextToHorizontal, w)};
+          slack(weight_of, wi, (reflects ? 1 : -1) * (surface.by_lunes ? kHalfAUnit : kNextToHorizontal), w)};
 }
 
 Evaluation evaluate_reflection(bool bounded, const Vec& wo, const Vec& wi, const Surface& surface) {

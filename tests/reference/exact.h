@@ -50,7 +50,7 @@ Normal sample_normal(Warp warp, const Vec& wo, const Surface& surface, Quad u1, 
 /// not jump; the weight of the wrong side is negative.
 ///
 /// `slack` is what 2^-42 more of wi.z does to the weight, which counts where both directions are next to horizontal. Of
-/// bounded sampling it is half a unit of wi, 2^-25: the rim of its cap pins wi to the horizon.
+/// bounded sampling, the rim of whose cap pins wi to the horizon, and of ellipsoids it is half a unit of wi, 2^-25.
 struct Sample {
   Normal normal;
   Vec wi;

@@ -238,7 +238,11 @@ VNDF_INLINE PairNormal<F> pair_normal(const Vec3<F>& wo, const Vec3<F>& wi, cons
   auto reflects = wi.z >= F(0.f);
   auto from_above = index.eta == index.given;
   F more = op::select(reflects, F(0.f), index.given - F(1.f));
-  auto sum = [&](F o, F i) { return (o + i) + more * op::select(from_above, i, o); };
+  auto near_1 = op::abs(more) < F(0.5f);
+  auto sum = [&](F o, F i) {
+    F upper = op::select(from_above, o, i), lower = op::select(from_above, i, o);
+    return op::select(near_1, (o + i) + more * lower, upper + index.given * lower);
+  };
   Vec3<F> h = {sum(wo.x, wi.x), sum(wo.y, wi.y), sum(wo.z, wi.z)};
   h = mirrored((index.minus_1 > F(0.f)) & !reflects, h);
   F cos_i = dot(wi, h);

@@ -13,19 +13,17 @@ namespace vndf::lanes {
 inline namespace VNDF_LANES_BUILD {
 
 /// The random numbers' share of a point of the cap: u2 grows from its pole to its rim, and phi counts from the
-/// direction opposite to the view, counter-clockwise. v = 1 - u2 is kept from 0: on the rim of a cap that a view near
-/// the normal has, the sum of c and the view would be too small to have a direction. Far below what u2 resolves.
+/// direction opposite to the view, counter-clockwise.
 template <class F>
 struct CapPoint {
-  F u2, v;
+  F u2, v;  // v = 1 - u2
   Deviation<F> phi;
 };
-constexpr float kCapRim = 0x1p-40f;
 
 /// Dupuy and Benyoub 2023, Listing 3: u1 = phi / 2 pi.
 template <class F>
 VNDF_INLINE CapPoint<F> cap_map(Vec2<F> u) {
-  return {u.y, (F(1.f) - u.y) + F(kCapRim), deviation2pi(u.x)};
+  return {u.y, F(1.f) - u.y, deviation2pi(u.x)};
 }
 /// Lambert's equal-area map of the disk's point of eq. 9-10 of Heitz 2018.
 template <class F>
