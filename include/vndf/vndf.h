@@ -94,8 +94,8 @@ enum class DiskMap { polar, concentric };
 ///
 /// Ratio (see above): polar and concentric at most 6, p99.9 4; spherical_cap 8. The norm of every result is within 5
 /// eps = 5 x 2^-24 of 1. As a distance in eps, over 2^20 samples of each of the hard cases of tests/accuracy_test.cpp
-/// with alpha up to 1: mean at most 1.2, p99.9 8, largest 40, or twice what half a unit of wo and alpha moves the exact
-/// normal by.
+/// with alpha up to 1: mean at most 1.2, p99.9 8, largest 40, of caps 60, or twice what half a unit of wo and alpha
+/// moves the exact normal by.
 ///
 /// Special values, each confined to its own lane:
 ///  - wo = (0, 0, -1): no normal is visible; some unit normal of the upper hemisphere. So it is for
@@ -167,7 +167,7 @@ struct ReflectionSamples {
 /// wm         the normal; unless bounded, bit for bit that of sample_normals.
 /// wo_dot_wm  its cosine to the view, for Fresnel's factor; not above 1 for unit views, and neither is wi.z.
 ///
-/// Ratio: wi, pdf and weight at most 16, wm as for sample_normals, bounded 8. |wi| is within 10 eps of |wo|. The weight
+/// Ratio: wi, pdf and weight at most 16, wm as for sample_normals, bounded 8. |wi| is within 12 eps of |wo|. The weight
 /// is that of a wi whose z may be 2^-42 off, bounded 2^-25.
 ///
 /// pdf agrees with evaluate_reflection for the rounded wi within 4 eps (4 + 2 / alpha) / (wo.wm), alpha being the

@@ -45,7 +45,8 @@ struct Reflection {
   static auto moves() { return moves_of<kInputs>(kU); }
   static bool in_domain(const std::array<float, kInputs>& in) {
     return is_nearly_unit(in.data()) && has_azimuth(in.data()) && (Surface::kByLunes || in[2] >= 0) &&
-           is_surface<Surface>(&in[3]) && in_unit_interval(in, kU);
+           is_surface<Surface>(&in[3]) && in_unit_interval(in, kU) &&
+           !(Surface::kByLunes && warp == Warp::spherical_cap && in[kU + 1] == 1);
   }
 
   static std::vector<Founds> run(const Table& in) {
