@@ -49,10 +49,11 @@ VNDF_STAGE(polar_map, store(polar_map(load<Vec2<F>>(a, i)), out, i))
 VNDF_STAGE_AFTER(concentric_map, auto next = wedge_of(load<Vec2<F>>(a, 0)), auto wedge = next;
                  next = wedge_of(load<Vec2<F>>(a, i + kWidth<F>)); store(concentric_map(wedge), out, i))
 VNDF_STAGE(chord, store(chord(load<DiskPoint<F>>(a, i)), out, i))
-VNDF_STAGE(scale_view, store(scale_view(stretch(load<Vec3<F>>(a, i), load<Vec2<F>>(b, i))), out, i))
+VNDF_STAGE(scale_view, F norm;
+           store(scale_view(stretch(load<Vec3<F>>(a, i), load<Vec2<F>>(b, i)), XAxis{}, norm), out, i))
 VNDF_STAGE(elevation_of, store(elevation_of(load<ScaledView<F>>(a, i)), out, i))
 VNDF_STAGE(reproject, store(reproject(load<HemisphereView<F>>(a, i), load<Chord<F>>(b, i)).nh, out, i))
 VNDF_STAGE(map_from_hemisphere, store(map_from_hemisphere(load<Vec3<F>>(a, i), load<Vec2<F>>(b, i)), out, i))
-VNDF_STAGE(on_cap, auto view = load<ScaledView<F>>(a, i);
-           store(on_cap(cap_view(view), view.z, cap_map(load<Vec2<F>>(b, i))).nh, out, i))
+VNDF_STAGE(cap_view, store(cap_view(stretch(load<Vec3<F>>(a, i), load<Vec2<F>>(b, i))), out, i))
+VNDF_STAGE(on_cap, store(on_cap(load<CapView<F>>(a, i), cap_map(load<Vec2<F>>(b, i))).nh, out, i))
 }

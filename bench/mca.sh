@@ -72,10 +72,10 @@ measure avx512 16 'xsimd::batch<float,xsimd::avx512bw>' -mavx512f -mavx512cd -ma
 awk -v cpus="$cpus" -v by_stage="$stages" '
   BEGIN {
     disk = "chord scale_view elevation_of reproject map_from_hemisphere"
-    warps = by_stage ? "polar_map concentric_map " disk " on_cap" : "polar concentric spherical_cap"
+    warps = by_stage ? "polar_map concentric_map " disk " cap_view on_cap" : "polar concentric spherical_cap"
     parts["polar"] = "polar_map " disk
     parts["concentric"] = "concentric_map " disk
-    parts["spherical_cap"] = "scale_view on_cap map_from_hemisphere"
+    parts["spherical_cap"] = "cap_view on_cap map_from_hemisphere"
     rows = split(warps, warp)
     columns = split(cpus, cpu)
   }
