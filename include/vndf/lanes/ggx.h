@@ -44,8 +44,8 @@ VNDF_INLINE F at_most_delta(F pdf) {
   return op::select(pdf > F(kDelta), F(kDelta), pdf);
 }
 
-/// D(m), Heitz 2018, eq. 1, Walter et al. 2015, eq. 1, for m of any length from 2^-70 to 2, up to its division; 0 for m
-/// too short to have a direction.
+/// D(m), Heitz 2018, eq. 1, Walter et al. 2015, eq. 1, for m of any length from 2^-70 to 2, up to its division. Of a
+/// shorter m it is finite, and may be 0.
 ///
 /// With |A| = a b, D = (a / b) (a |m|^2 / k^2)^2 / pi with k = a A^-T m: that stays within the range of float, which
 /// alpha^2 does not. For plain GGX a is alpha_x, b is alpha_y, and k^2 is a sum of positive terms. kUnit centres its
