@@ -20,30 +20,38 @@ void for_each_surface(std::size_t count, F f) {
     }
 }
 
+/// Calls check(samples, what they evaluate to) for every instruction set, kind of surface and warp.
+template <class Check>
+void for_each_sample(const Batch& batch, float eta, Check check) {
+  on_every_isa([&] {
+    for_each_surface(kCount, [&](const auto& surface) {
+      for (Warp warp : kWarps) {
+        Samples s(kCount);
+        Values value(kCount);
+        sample_dielectric(warp, kCount, batch.wo.in(), surface, eta, batch.u.in(), s.dielectric());
+        evaluate_dielectric(kCount, batch.wo.in(), s.wi.in(), surface, eta, value.out());
+        check(s, value);
+      }
+    });
+  });
+}
+
 // Within 2^-16 of 1 there is no surface: light goes straight on and counts whole, whatever the random numbers say.
 TEST(IndexMatched, LightGoesStraightOn) {
   const Batch batch(kCount, true);
   for (float eta : {1.f, 1 + 0x1p-20f, 1 - 0x1p-20f, 1 + 0x1p-17f, 1 - 0x1p-17f})
-    on_every_isa([&] {
-      for_each_surface(kCount, [&](const auto& surface) {
-        for (Warp warp : kWarps) {
-          Samples s(kCount);
-          Values value(kCount);
-          sample_dielectric(warp, kCount, batch.wo.in(), surface, eta, batch.u.in(), s.dielectric());
-          evaluate_dielectric(kCount, batch.wo.in(), s.wi.in(), surface, eta, value.out());
-          for (std::size_t i = 0; i < kCount; ++i) {
-            ASSERT_EQ(distance(s.wi.at(i), -1. * batch.wo.at(i)), 0) << batch.at(i) << " eta " << eta;
-            ASSERT_EQ(s.side[i], -1);
-            if (batch.wo.z[i] != 0) {
-              ASSERT_EQ(s.weight[i], 1) << batch.at(i) << " eta " << eta;
-              ASSERT_EQ(s.pdf[i], kLargestPdf) << batch.at(i) << " eta " << eta;
-            }
-            ASSERT_TRUE(bounded_result(s.pdf[i], s.weight[i]) && survives_mis(s.pdf[i]));
-            ASSERT_EQ(value.f_cos[i], 0) << batch.at(i) << " eta " << eta;
-            ASSERT_EQ(value.pdf[i], 0);
-          }
+    for_each_sample(batch, eta, [&](const Samples& s, const Values& value) {
+      for (std::size_t i = 0; i < kCount; ++i) {
+        ASSERT_EQ(distance(s.wi.at(i), -1. * batch.wo.at(i)), 0) << batch.at(i) << " eta " << eta;
+        ASSERT_EQ(s.side[i], -1);
+        if (batch.wo.z[i] != 0) {
+          ASSERT_EQ(s.weight[i], 1) << batch.at(i) << " eta " << eta;
+          ASSERT_EQ(s.pdf[i], kLargestPdf) << batch.at(i) << " eta " << eta;
         }
-      });
+        ASSERT_TRUE(bounded_result(s.pdf[i], s.weight[i]) && survives_mis(s.pdf[i]));
+        ASSERT_EQ(value.f_cos[i], 0) << batch.at(i) << " eta " << eta;
+        ASSERT_EQ(value.pdf[i], 0);
+      }
     });
 }
 
@@ -74,16 +82,8 @@ TEST(IndexMatched, EvaluatesToZero) {
 TEST(IndexMatched, NextToItNothingIsInfinite) {
   const Batch batch(kCount, true);
   for (float eta : {1 + 0x1p-16f, 1 - 0x1p-16f, 1 + 0x1p-15f, 1 - 0x1p-15f, 1.0001f, 1 / 1.0001f})
-    on_every_isa([&] {
-      for_each_surface(kCount, [&](const auto& surface) {
-        for (Warp warp : kWarps) {
-          Samples s(kCount);
-          Values value(kCount);
-          sample_dielectric(warp, kCount, batch.wo.in(), surface, eta, batch.u.in(), s.dielectric());
-          evaluate_dielectric(kCount, batch.wo.in(), s.wi.in(), surface, eta, value.out());
-          expect_finite(s, value, batch, "eta " + std::to_string(eta));
-        }
-      });
+    for_each_sample(batch, eta, [&](const Samples& s, const Values& value) {
+      expect_finite(s, value, batch, "eta " + std::to_string(eta));
     });
 }
 
