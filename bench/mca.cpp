@@ -1,59 +1,63 @@
-// The stages of the sampling kernels, each a loop of its own as in src/kernels.cpp, with the markers that llvm-mca
-// looks for around one iteration. mca.sh compiles this file to assembly, once per instruction set; it is never run.
+// The loops of the sampling kernels, with the markers that llvm-mca looks for around one iteration: loads, the pipeline
+// over VNDF_VECTORS vectors at once, stores. mca.sh compiles this file to assembly, once per instruction set; it is
+// never run.
 #include <vndf/lanes.h>
 
 namespace {
 
-using F = VNDF_BATCH;
 using namespace vndf::lanes;
+using F = Many<VNDF_BATCH, VNDF_VECTORS>;
 
-constexpr std::size_t kBlock = 256;
+struct Columns {
+  const float *wo_x, *wo_y, *wo_z, *alpha_x, *alpha_y, *u1, *u2;
+  float *x, *y, *z, *pdf, *weight;
+};
 
-/// A block's columns, one behind the other, so that a loop needs one address for all.
-template <class T>
-VNDF_INLINE T load(const float* block, std::size_t i) {
-  constexpr std::size_t kMembers = sizeof(T) / sizeof(F);
-  F members[kMembers];
-  for (std::size_t c = 0; c < kMembers; ++c) members[c] = op::load<F>(block + c * kBlock + i);
-  T value;
-  std::memcpy(&value, members, sizeof value);
-  return value;
+VNDF_INLINE Vec3<F> wo(const Columns& c, std::size_t i) {
+  return {op::load<F>(c.wo_x + i), op::load<F>(c.wo_y + i), op::load<F>(c.wo_z + i)};
+}
+VNDF_INLINE Vec2<F> alpha(const Columns& c, std::size_t i) {
+  return {op::load<F>(c.alpha_x + i), op::load<F>(c.alpha_y + i)};
+}
+VNDF_INLINE Vec2<F> u(const Columns& c, std::size_t i) {
+  return {op::load<F>(c.u1 + i), op::load<F>(c.u2 + i)};
+}
+VNDF_INLINE void store(const Vec3<F>& v, const Columns& c, std::size_t i) {
+  op::store(v.x, c.x + i);
+  op::store(v.y, c.y + i);
+  op::store(v.z, c.z + i);
 }
 
-template <class T>
-VNDF_INLINE void store(const T& value, float* block, std::size_t i) {
-  constexpr std::size_t kMembers = sizeof(T) / sizeof(F);
-  F members[kMembers];
-  std::memcpy(members, &value, sizeof value);
-  for (std::size_t c = 0; c < kMembers; ++c) op::store(members[c], block + c * kBlock + i);
+template <class Warp>
+VNDF_INLINE void normals(const Columns& c, std::size_t i) {
+  store(sample_normal<Warp>(wo(c, i), alpha(c, i), u(c, i)), c, i);
+}
+
+template <class Warp>
+VNDF_INLINE void reflection(const Columns& c, std::size_t i) {
+  auto sample = sample_reflection<Warp>(wo(c, i), alpha(c, i), u(c, i), kHeightCorrelated);
+  store(sample.wi, c, i);
+  op::store(sample.pdf, c.pdf + i);
+  op::store(sample.weight, c.weight + i);
 }
 
 }  // namespace
 
 // The memory clobbers keep an iteration's loads and stores, and so what lies between them, inside the markers;
 // constants and the loop counter stay outside.
-#define VNDF_STAGE_AFTER(name, before, statement)                 \
-  void stage_##name(const float* a, const float* b, float* out) { \
-    before;                                                       \
-    for (std::size_t i = 0; i < kBlock; i += kWidth<F>) {         \
+#define VNDF_KERNEL(name, ...)                                    \
+  void kernel_##name(const Columns& columns, std::size_t n) {     \
+    const Columns c = columns;                                    \
+    for (std::size_t i = 0; i < n; i += kWidth<F>) {              \
       __asm__ volatile("# LLVM-MCA-BEGIN " #name : : : "memory"); \
-      statement;                                                  \
+      __VA_ARGS__(c, i);                                          \
       __asm__ volatile("# LLVM-MCA-END " #name : : : "memory");   \
     }                                                             \
-    (void)b;                                                      \
   }
-#define VNDF_STAGE(name, statement) VNDF_STAGE_AFTER(name, , statement)
 
-extern "C" {
-VNDF_STAGE(polar_map, store(polar_map(load<Vec2<F>>(a, i)), out, i))
-VNDF_STAGE_AFTER(concentric_map, auto next = wedge_of(load<Vec2<F>>(a, 0)), auto wedge = next;
-                 next = wedge_of(load<Vec2<F>>(a, i + kWidth<F>)); store(concentric_map(wedge), out, i))
-VNDF_STAGE(chord, store(chord(load<DiskPoint<F>>(a, i)), out, i))
-VNDF_STAGE(scale_view, F norm;
-           store(scale_view(stretch(load<Vec3<F>>(a, i), load<Vec2<F>>(b, i)), XAxis{}, norm), out, i))
-VNDF_STAGE(elevation_of, store(elevation_of(load<ScaledView<F>>(a, i)), out, i))
-VNDF_STAGE(reproject, store(reproject(load<HemisphereView<F>>(a, i), load<Chord<F>>(b, i)).nh, out, i))
-VNDF_STAGE(map_from_hemisphere, store(map_from_hemisphere(load<Vec3<F>>(a, i), load<Vec2<F>>(b, i)), out, i))
-VNDF_STAGE(cap_view, store(cap_view(stretch(load<Vec3<F>>(a, i), load<Vec2<F>>(b, i))), out, i))
-VNDF_STAGE(on_cap, store(on_cap(load<CapView<F>>(a, i), cap_map(load<Vec2<F>>(b, i))).nh, out, i))
-}
+VNDF_KERNEL(normals_polar, normals<Polar>)
+VNDF_KERNEL(normals_concentric, normals<Concentric>)
+VNDF_KERNEL(normals_spherical_cap, normals<SphericalCap>)
+VNDF_KERNEL(reflection_polar, reflection<Polar>)
+VNDF_KERNEL(reflection_concentric, reflection<Concentric>)
+VNDF_KERNEL(reflection_spherical_cap, reflection<SphericalCap>)

@@ -1,34 +1,59 @@
-# An object of the library that computes with the lanes. Their functions and xsimd's own land in namespaces of this
-# object, so that no linker can mistake its copy of an inline function for one of another set; see check_symbols.cmake.
-function(vndf_lanes_object name source)
-  add_library(vndf_${name} OBJECT ${source})
+# The public functions: each has a file in src/dispatch/, which chooses, and one in src/kernels/, which is compiled once
+# for each instruction set and exports vndf::<set>::<function>, its table.
+set(vndf_functions sample_normals sample_disk sample_reflection evaluate_reflection pdf_normals sample_dielectric
+    evaluate_dielectric)
+set_property(GLOBAL PROPERTY vndf_functions ${vndf_functions})
+
+list(TRANSFORM vndf_functions PREPEND src/dispatch/ OUTPUT_VARIABLE fronts)
+list(TRANSFORM fronts APPEND .cpp)
+target_sources(vndf PRIVATE ${fronts})
+
+# Objects of the library that compute with the lanes. Their functions and xsimd's own land in namespaces of these
+# objects, so that no linker can mistake its copy of an inline function for one of another set; see check_symbols.cmake.
+function(vndf_lanes_objects name)
+  add_library(vndf_${name} OBJECT ${ARGN})
   target_link_libraries(vndf_${name} PRIVATE vndf::lanes)
+  target_include_directories(vndf_${name} PRIVATE ${PROJECT_SOURCE_DIR}/src)
   # GCC's own AVX-512 header sets off -Wmaybe-uninitialized (its _mm512_undefined_ps reads an uninitialized variable).
   target_compile_options(vndf_${name} PRIVATE ${vndf_compile_options}
                          $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
-  # GCC leaves this scheduler off on x86. With it AVX2's shading kernels
-  # take 1 to 8 % less time on Zen 1, those of normals 1 to 2 % more.
+  # GCC leaves this scheduler off on x86. With it, K vectors at once are K chains side by side; without, one after the
+  # other.
   target_compile_options(vndf_${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fschedule-insns;-fsched-pressure>)
   target_compile_definitions(vndf_${name} PRIVATE VNDF_LANES_BUILD=kernels_${name} xsimd=xsimd_kernels_${name})
   set_target_properties(vndf_${name} PROPERTIES INTERPROCEDURAL_OPTIMIZATION OFF POSITION_INDEPENDENT_CODE ON)
   target_sources(vndf PRIVATE $<TARGET_OBJECTS:vndf_${name}>)
 endfunction()
 
-vndf_lanes_object(make_shape src/make_shape.cpp)
+vndf_lanes_objects(make_shape src/make_shape.cpp)
 
 # The instruction sets of the library, slowest first: one row each, and nothing else names them.
-#   vndf_isa(name BATCH vector-type [CPU feature...] [FLAGS flag...])
+#   vndf_isa(name BATCH vector-type VECTORS n m [CPU feature...] [FLAGS flag...])
+# VECTORS: how many a kernel takes at once, and one of the dielectric: what the registers hold.
 # CPU: what __builtin_cpu_supports must affirm; GCC's and Clang's run-times ask the operating system as well as the
-# processor. Compiles src/kernels.cpp into the library with FLAGS and adds the name to isa_rows.h, which dispatch reads.
+# processor. Compiles the kernels into the library with FLAGS and adds the name to isa_rows.h, which dispatch reads.
 function(vndf_isa name)
-  cmake_parse_arguments(PARSE_ARGV 1 row "" "BATCH" "CPU;FLAGS")
+  cmake_parse_arguments(PARSE_ARGV 1 row "" "BATCH" "VECTORS;CPU;FLAGS")
   if(row_FLAGS AND NOT CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
     return()
   endif()
+  if(NOT name IN_LIST VNDF_ISAS)
+    return()
+  endif()
 
-  vndf_lanes_object(${name} src/kernels.cpp)
+  set(sources "")
+  foreach(function IN LISTS vndf_functions)
+    # Under a name of its own, for archives and debuggers.
+    set(source ${CMAKE_CURRENT_BINARY_DIR}/generated/${function}_${name}.cpp)
+    file(CONFIGURE OUTPUT ${source} CONTENT "#include \"kernels/${function}.cpp\"\n")
+    list(APPEND sources ${source})
+  endforeach()
+  vndf_lanes_objects(${name} ${sources})
+  list(GET row_VECTORS 0 vectors)
+  list(GET row_VECTORS 1 vectors_dielectric)
   target_compile_options(vndf_${name} PRIVATE ${row_FLAGS})
-  target_compile_definitions(vndf_${name} PRIVATE VNDF_BATCH=${row_BATCH} VNDF_TABLE=kernels_${name})
+  target_compile_definitions(vndf_${name} PRIVATE VNDF_SET=${name} VNDF_BATCH=${row_BATCH} VNDF_VECTORS=${vectors}
+                                                  VNDF_VECTORS_DIELECTRIC=${vectors_dielectric})
 
   set(supported true)
   foreach(feature IN LISTS row_CPU)
@@ -39,14 +64,19 @@ function(vndf_isa name)
   set_property(GLOBAL APPEND PROPERTY vndf_isas ${name})
 endfunction()
 
-vndf_isa(scalar BATCH float)
-vndf_isa(sse42 BATCH xsimd::batch<float,xsimd::sse4_2> CPU sse4.2 FLAGS -msse4.2)
-vndf_isa(avx2 BATCH xsimd::batch<float,xsimd::avx2> CPU avx2 FLAGS -mavx2)
-vndf_isa(avx512 BATCH xsimd::batch<float,xsimd::avx512bw>
+set(VNDF_ISAS scalar sse42 avx2 avx512 CACHE STRING "The instruction sets to compile; scalar must be one of them")
+if(NOT scalar IN_LIST VNDF_ISAS)
+  message(FATAL_ERROR "VNDF_ISAS is \"${VNDF_ISAS}\": scalar must be among them, for processors that have no other")
+endif()
+
+vndf_isa(scalar BATCH float VECTORS 1 1)
+vndf_isa(sse42 BATCH xsimd::batch<float,xsimd::sse4_2> VECTORS 3 2 CPU sse4.2 FLAGS -msse4.2)
+vndf_isa(avx2 BATCH xsimd::batch<float,xsimd::avx2> VECTORS 3 2 CPU avx2 FLAGS -mavx2)
+vndf_isa(avx512 BATCH xsimd::batch<float,xsimd::avx512bw> VECTORS 4 4
          CPU avx512f avx512cd avx512dq avx512bw FLAGS -mavx512f -mavx512cd -mavx512dq -mavx512bw)
 
 get_property(rows GLOBAL PROPERTY vndf_isa_rows)
 get_property(names GLOBAL PROPERTY vndf_isa_names)
-file(CONFIGURE OUTPUT generated/isa_rows.h CONTENT "${rows}")
+file(CONFIGURE OUTPUT generated/isa_rows.h CONTENT "// Included with a VNDF_ISA(name, supported), which it undefines.\n${rows}#undef VNDF_ISA\n")
 target_include_directories(vndf PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/generated)
-target_compile_definitions(vndf PRIVATE "VNDF_ISA_NAMES=\"${names}\"")
+set_source_files_properties(src/dispatch/dispatch.cpp PROPERTIES COMPILE_DEFINITIONS "VNDF_ISA_NAMES=\"${names}\"")

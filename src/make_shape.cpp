@@ -4,7 +4,7 @@
 
 #include <vndf/lanes/tilted_shape.h>
 
-#include "kernel_table.h"
+#include "dispatch/dispatch.h"
 #include "shape_access.h"
 
 namespace vndf {

@@ -9,12 +9,12 @@
 namespace vndf {
 
 struct ShapeAccess {
-  static VNDF_INLINE void set(Shape& shape, const lanes::Tilted<float>& a) {
+  static VNDF_INLINE void set(Shape& shape, const lanes::Triangle<float>& a) {
     static_assert(sizeof a == sizeof shape);
     std::memcpy(shape.a_, &a, sizeof a);
   }
-  static VNDF_INLINE lanes::Tilted<float> get(const Shape& shape) {
-    lanes::Tilted<float> a;
+  static VNDF_INLINE lanes::Triangle<float> get(const Shape& shape) {
+    lanes::Triangle<float> a;
     std::memcpy(&a, shape.a_, sizeof a);
     return a;
   }

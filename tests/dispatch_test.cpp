@@ -1,16 +1,15 @@
-// Which kernels a name runs. Compiled together with src/dispatch.cpp and, instead of the kernels, with tables whose
+// Which kernels a name runs. Compiled together with src/dispatch/ and, instead of the kernels, with tables whose
 // functions note who was called: what dispatch does is then seen, not inferred. Built twice: over the library's rows,
 // and over the rows in stub_rows/, some of which no machine supports.
 #include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <thread>
-#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "kernel_table.h"
+#include "kernel_tables.h"
 
 namespace {
 
@@ -20,28 +19,6 @@ std::string called(const std::string& isa, const std::string& kernels, const std
   return isa + ": " + kernels + ", " + function + " " + std::to_string(index);
 }
 
-/// Kernels that note who they are, whatever their arguments.
-template <const char* isa, const char* kernels, const char* function>
-struct Stubs {
-  template <std::size_t index, class... Arguments>
-  static void note(Arguments...) noexcept {
-    last_call = called(isa, kernels, function, index);
-  }
-  /// One entry of the table, or an array of them, numbered in order.
-  template <std::size_t index = 0, class... Arguments>
-  static void fill(void (*&entry)(Arguments...) noexcept) {
-    entry = note<index, Arguments...>;
-  }
-  template <std::size_t first = 0, class T, std::size_t n>
-  static void fill(T (&entries)[n]) {
-    fill<first>(entries, std::make_index_sequence<n>());
-  }
-  template <std::size_t first, class T, std::size_t... i>
-  static void fill(T* entries, std::index_sequence<i...>) {
-    (fill<first + i * sizeof(T) / sizeof(void (*)())>(entries[i]), ...);
-  }
-};
-
 constexpr char kPlain[] = "plain", kSeparable[] = "separable", kBounded[] = "bounded",
                kBoundedSeparable[] = "bounded separable", kOneShape[] = "one shape", kTurned[] = "turned",
                kTilted[] = "tilted";
@@ -49,28 +26,67 @@ constexpr char kNormals[] = "normals", kDisk[] = "disk", kReflection[] = "reflec
                kEvaluateReflection[] = "evaluate reflection", kEvaluateDielectric[] = "evaluate dielectric",
                kPdfNormals[] = "pdf of normals";
 
-template <const char* isa, const char* kernels, class Kernels>
-void fill(Kernels& k) {
-  Stubs<isa, kernels, kNormals>::fill(k.sample_normals);
-  Stubs<isa, kernels, kReflection>::fill(k.sample_reflection);
-  Stubs<isa, kernels, kEvaluateReflection>::fill(k.evaluate_reflection);
-  Stubs<isa, kernels, kPdfNormals>::fill(k.pdf_normals);
-  Stubs<isa, kernels, kDielectric>::fill(k.sample_dielectric);
-  Stubs<isa, kernels, kEvaluateDielectric>::fill(k.evaluate_dielectric);
+/// A kernel that notes who it is, whatever its arguments.
+template <const char* isa, const char* kernels, const char* function, std::size_t index, class... Arguments>
+void note(Arguments...) noexcept {
+  last_call = called(isa, kernels, function, index);
 }
+template <const char* isa, const char* kernels, const char* function, std::size_t index, class... Arguments>
+void fill(void (*&entry)(Arguments...) noexcept) {
+  entry = note<isa, kernels, function, index, Arguments...>;
+}
+
+/// One function for one matrix and for many.
+template <const char* isa, const char* function, std::size_t index, class In, class Out>
+void note_matrix(std::size_t, const In&, const vndf::Matrices& matrices, const Out&) noexcept {
+  last_call = called(isa, matrices.per_lane ? kTilted : kOneShape, function, index);
+}
+template <const char* isa, const char* function, std::size_t index, class In, class Out, std::size_t maskings>
+void fill(vndf::BySurface<In, Out, maskings>& k) {
+  fill<isa, kPlain, function, index>(k.alpha[0]);
+  if constexpr (maskings > 1) fill<isa, kSeparable, function, index>(k.alpha[1]);
+  fill<isa, kTurned, function, index>(k.turned);
+  k.matrix = note_matrix<isa, function, index, In, Out>;
+}
+template <const char* isa, const char* function, class Kernels>
+void fill_warps(Kernels (&warps)[3]) {
+  fill<isa, function, 0>(warps[0]);
+  fill<isa, function, 1>(warps[1]);
+  fill<isa, function, 2>(warps[2]);
+}
+template <const char* isa, std::size_t index, class Kernel>
+void fill_bounded(Kernel (&maskings)[2]) {
+  fill<isa, kBounded, kReflection, index>(maskings[0]);
+  fill<isa, kBoundedSeparable, kReflection, index>(maskings[1]);
+}
+
+/// The tables of a set.
 template <const char* isa>
-vndf::KernelTable stubs() {
-  vndf::KernelTable table;
-  Stubs<isa, kPlain, kDisk>::fill(table.sample_disk);
-  fill<isa, kPlain>(table.plain[0]);
-  fill<isa, kSeparable>(table.plain[1]);
-  fill<isa, kBounded>(table.bounded[0]);
-  fill<isa, kBoundedSeparable>(table.bounded[1]);
-  fill<isa, kOneShape>(table.one_shape);
-  fill<isa, kTurned>(table.turned);
-  fill<isa, kTilted>(table.tilted);
-  return table;
-}
+struct Stubs {
+  vndf::NormalsTable normals;
+  vndf::DiskTable disk;
+  vndf::ReflectionTable reflection;
+  vndf::EvaluationTable evaluation;
+  vndf::DensityTable density;
+  vndf::DielectricTable dielectric;
+  vndf::DielectricEvaluationTable dielectric_evaluation;
+
+  Stubs() {
+    fill_warps<isa, kNormals>(normals.warps);
+    fill<isa, kPlain, kDisk, 0>(disk.maps[0]);
+    fill<isa, kPlain, kDisk, 1>(disk.maps[1]);
+    fill_warps<isa, kReflection>(reflection.warps);
+    fill_bounded<isa, 0>(reflection.bounded[0]);
+    fill_bounded<isa, 1>(reflection.bounded[1]);
+    fill_bounded<isa, 2>(reflection.bounded[2]);
+    fill<isa, kEvaluateReflection, 0>(evaluation.all);
+    fill<isa, kBounded, kEvaluateReflection, 0>(evaluation.bounded[0]);
+    fill<isa, kBoundedSeparable, kEvaluateReflection, 0>(evaluation.bounded[1]);
+    fill<isa, kPdfNormals, 0>(density.all);
+    fill_warps<isa, kDielectric>(dielectric.warps);
+    fill<isa, kEvaluateDielectric, 0>(dielectric_evaluation.all);
+  }
+};
 
 struct Row {
   const char* name;
@@ -79,18 +95,31 @@ struct Row {
 const Row kRows[] = {
 #define VNDF_ISA(name, supported) {#name, supported},
 #include "isa_rows.h"
-#undef VNDF_ISA
 };
 
 }  // namespace
 
 namespace vndf {
-#define VNDF_ISA(name, supported)                 \
-  static constexpr char name_of_##name[] = #name; \
-  extern const KernelTable kernels_##name;        \
-  const KernelTable kernels_##name = stubs<name_of_##name>();
+#define VNDF_ISA(name, supported)                                                    \
+  namespace name {                                                                   \
+  constexpr char kName[] = #name;                                                    \
+  static const Stubs<kName> stubs;                                                   \
+  extern const NormalsTable sample_normals;                                          \
+  extern const DiskTable sample_disk;                                                \
+  extern const ReflectionTable sample_reflection;                                    \
+  extern const EvaluationTable evaluate_reflection;                                  \
+  extern const DensityTable pdf_normals;                                             \
+  extern const DielectricTable sample_dielectric;                                    \
+  extern const DielectricEvaluationTable evaluate_dielectric;                        \
+  const NormalsTable sample_normals = stubs.normals;                                 \
+  const DiskTable sample_disk = stubs.disk;                                          \
+  const ReflectionTable sample_reflection = stubs.reflection;                        \
+  const EvaluationTable evaluate_reflection = stubs.evaluation;                      \
+  const DensityTable pdf_normals = stubs.density;                                    \
+  const DielectricTable sample_dielectric = stubs.dielectric;                        \
+  const DielectricEvaluationTable evaluate_dielectric = stubs.dielectric_evaluation; \
+  }
 #include "isa_rows.h"
-#undef VNDF_ISA
 }  // namespace vndf
 
 namespace {
@@ -98,7 +127,7 @@ namespace {
 using namespace vndf;
 
 const Columns2 kAlpha{0.5f, 0.5f};
-constexpr Warp kWarps[] = {Warp::polar, Warp::concentric, Warp::spherical_cap};
+constexpr Warp kAllWarps[] = {Warp::polar, Warp::concentric, Warp::spherical_cap};
 
 std::string call_disk(DiskMap map) {
   sample_disk(map, 0, {0.f, 0.f}, {});
@@ -113,7 +142,8 @@ void expect_last_call(const char* kernels, const char* function, std::size_t ind
 const Columns3 kUp{0.f, 0.f, 1.f};
 template <class S>
 void expect_normals(const char* kernels, const S& shape) {
-  for (Warp warp : kWarps) {
+  if (kernels == kSeparable) kernels = kPlain;  // normals have no masking
+  for (Warp warp : kAllWarps) {
     sample_normals(warp, 0, kUp, shape, {0.f, 0.f}, {});
     expect_last_call(kernels, kNormals, std::size_t(warp));
   }
@@ -122,7 +152,7 @@ void expect_normals(const char* kernels, const S& shape) {
 }
 template <class S, class... Options>
 void expect_reflection(const char* kernels, const S& shape, const Options&... options) {
-  for (Warp warp : kWarps) {
+  for (Warp warp : kAllWarps) {
     sample_reflection(warp, 0, kUp, shape, {0.f, 0.f}, {}, options...);
     expect_last_call(kernels, kReflection, std::size_t(warp));
   }
@@ -131,7 +161,7 @@ void expect_reflection(const char* kernels, const S& shape, const Options&... op
 }
 template <class S, class... Options>
 void expect_dielectric(const char* kernels, const S& shape, const Options&... options) {
-  for (Warp warp : kWarps) {
+  for (Warp warp : kAllWarps) {
     sample_dielectric(warp, 0, kUp, shape, 1.5f, kUp, {}, options...);
     expect_last_call(kernels, kDielectric, std::size_t(warp));
   }

@@ -7,6 +7,14 @@
 namespace vndf::testing {
 namespace {
 
+/// f(the lanes' warp).
+template <class Function>
+auto with_warp(Warp warp, Function f) {
+  return warp == Warp::polar        ? f(lanes::Polar())
+         : warp == Warp::concentric ? f(lanes::Concentric())
+                                    : f(lanes::SphericalCap());
+}
+
 template <class F>
 void run_lanes(const Operation& operation, const Table& in, Table& out, std::size_t i) {
   auto load = [&](std::size_t c) { return lanes::op::load<F>(in[c].data() + i); };
@@ -20,9 +28,7 @@ void run_lanes(const Operation& operation, const Table& in, Table& out, std::siz
   }
   lanes::Vec3<F> wo{load(0), load(1), load(2)};
   lanes::Vec2<F> alpha{load(3), load(4)}, u{load(5), load(6)};
-  auto wm = operation.warp == Warp::polar        ? lanes::sample_normal_polar(wo, alpha, u)
-            : operation.warp == Warp::concentric ? lanes::sample_normal_concentric(wo, alpha, u)
-                                                 : lanes::sample_normal_cap(wo, alpha, u);
+  auto wm = with_warp(operation.warp, [&](auto warp) { return lanes::sample_normal<decltype(warp)>(wo, alpha, u); });
   store(wm.x, 0);
   store(wm.y, 1);
   store(wm.z, 2);
@@ -48,6 +54,9 @@ TEST_P(Lanes, Float) {
 TEST_P(Lanes, Batch) {
   expect_bits_of_the_batch_api<xsimd::batch<float>>();
 }
+TEST_P(Lanes, ManyBatches) {
+  expect_bits_of_the_batch_api<lanes::Many<xsimd::batch<float>, 4>>();
+}
 
 // And for ellipsoids: a shape for what leans, and a turned frame where only theta_z is there.
 template <class F>
@@ -64,19 +73,15 @@ class EllipsoidLanes {
     }
   }
   void expect_bits() {
-    // a: view, shape, u, theta_z of the frame
-    expect_normals(Warp::polar, [](auto... a) { return lanes::sample_normal_polar(a...); });
-    expect_normals(Warp::concentric, [](auto... a) { return lanes::sample_normal_concentric(a...); });
-    expect_normals(Warp::spherical_cap, [](auto... a) { return lanes::sample_normal_cap(a...); });
+    for (Warp warp : {Warp::polar, Warp::concentric, Warp::spherical_cap}) expect_normals(warp);
     for (bool turned : {false, true}) {
       evaluate_reflection(kCount, wo(), {column(10), column(11), column(12)}, ellipsoid(turned),
                           {batch_[0].data(), batch_[1].data()});
       each([&](std::size_t i, const V& v, const A& alpha) {
         V wi{load(10, i), load(11, i), load(12, i)};
-        lanes::Evaluation<F> value = turned
-                                         ? lanes::evaluate_reflection<lanes::Separable>(
-                                               v, wi, turned_shape(alpha, lanes::rotation_of(load(7, i))))
-                                         : lanes::evaluate_reflection<lanes::Lunes>(v, wi, for_pairs(shape(alpha, i)));
+        auto value = turned ? lanes::evaluate_reflection(v, wi, turned_shape(alpha, lanes::rotation_of(load(7, i))),
+                                                         lanes::kSeparable)
+                            : lanes::evaluate_reflection(v, wi, for_pairs(shape(alpha, i)), lanes::kLunes);
         return V{value.f_cos, value.pdf, F(0.f)};
       });
       batch_[2].assign(kCount, 0.f);
@@ -96,7 +101,7 @@ class EllipsoidLanes {
     Columns2 alpha{column(3), column(4)};
     return turned ? Ellipsoid(alpha, 0.f, 0.f, column(7)) : Ellipsoid(alpha, column(5), column(6), column(7));
   }
-  lanes::Tilted<F> shape(const A& alpha, std::size_t i) const {
+  lanes::Triangle<F> shape(const A& alpha, std::size_t i) const {
     return lanes::tilted_shape(alpha, load(5, i), load(6, i), load(7, i));
   }
   template <class Function>
@@ -108,16 +113,16 @@ class EllipsoidLanes {
       lanes::op::store(result.z, lane_[2].data() + i);
     }
   }
-  template <class Sample>
-  void expect_normals(Warp warp, Sample sample) {
+  void expect_normals(Warp warp) {
     for (bool turned : {false, true}) {
       sample_normals(warp, kCount, wo(), ellipsoid(turned), {column(8), column(9)},
                      {batch_[0].data(), batch_[1].data(), batch_[2].data()});
       each([&](std::size_t i, const V& v, const A& alpha) {
         A u{load(8, i), load(9, i)};
-        return turned ? lanes::sample_in_turned_frame(v, load(7, i),
-                                                      [&](V wo, auto theta_z) { return sample(wo, alpha, u, theta_z); })
-                      : sample(v, shape(alpha, i), u, lanes::XAxis{});
+        return with_warp(warp, [&](auto w) {
+          return turned ? lanes::sample_normal_turned<decltype(w)>(v, alpha, load(7, i), u)
+                        : lanes::sample_normal<decltype(w)>(v, shape(alpha, i), u);
+        });
       });
       EXPECT_TRUE(same_bits(batch_, lane_)) << int(warp) << " " << turned;
     }
@@ -131,6 +136,9 @@ TEST(Ellipsoids, Float) {
 }
 TEST(Ellipsoids, Batch) {
   EllipsoidLanes<xsimd::batch<float>>().expect_bits();
+}
+TEST(Ellipsoids, ManyBatches) {
+  EllipsoidLanes<lanes::Many<xsimd::batch<float>, 2>>().expect_bits();
 }
 
 }  // namespace

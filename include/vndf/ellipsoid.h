@@ -38,7 +38,7 @@ class Shape {
 
  private:
   friend struct ShapeAccess;
-  // lanes::Tilted: xx, then yx, yy, zx, zy of ((xx, 0, 0), (yx, yy, 0), (zx, zy, 1)) in two parts, then the azimuth.
+  // lanes::Triangle: xx, then yx, yy, zx, zy of ((xx, 0, 0), (yx, yy, 0), (zx, zy, 1)) in two parts, then the azimuth.
   float a_[11] = {1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 0.f, 1.f, 0.f};
 };
 

@@ -1,8 +1,8 @@
-// The lane API: the mathematics of the library over float or xsimd::batch<float, Arch>, for renderers that fuse it into
-// kernels of their own. Link vndf::lanes, which brings xsimd and -ffp-contract=off; a lane gives the bits of the batch
-// API.
+// The mathematics of vndf as templates over float, xsimd::batch<float, Arch>, and Many<batch, K>: K vectors at once.
+// For kernels of one's own, with the bits of the batch functions of vndf.h.
 #pragma once
 
 #include <vndf/lanes/dielectric.h>
-#include <vndf/lanes/ellipsoid.h>
+#include <vndf/lanes/many.h>
 #include <vndf/lanes/normals.h>
+#include <vndf/lanes/tilted_shape.h>

@@ -13,7 +13,7 @@ int main() {
   vndf::sample_normals(vndf::Warp::concentric, 64, {0.6f, 0.f, 0.8f}, {0.3f, 0.2f}, {u1, u2}, {x, y, z});
   for (std::size_t i = 0; i < 64; i += lanes::kWidth<F>) {
     lanes::Vec2<F> u{F::load_unaligned(u1 + i), F::load_unaligned(u2 + i)};
-    auto wm = lanes::sample_normal_concentric<F>({F(0.6f), F(0.f), F(0.8f)}, {F(0.3f), F(0.2f)}, u);
+    auto wm = lanes::sample_normal<lanes::Concentric, F>({F(0.6f), F(0.f), F(0.8f)}, {F(0.3f), F(0.2f)}, u);
     wm.x.store_unaligned(fused[0] + i);
     wm.y.store_unaligned(fused[1] + i);
     wm.z.store_unaligned(fused[2] + i);

@@ -30,28 +30,51 @@ Table random_inputs() {
   return in;
 }
 
+/// f(the lanes' warp).
+template <class Function>
+auto with_warp(Warp warp, Function f) {
+  return warp == Warp::polar        ? f(lanes::Polar())
+         : warp == Warp::concentric ? f(lanes::Concentric())
+                                    : f(lanes::SphericalCap());
+}
+
+/// What sample_reflection writes.
+template <class F>
+struct Reflected {
+  lanes::Vec3<F> wi;
+  F pdf, weight;
+  lanes::Vec3<F> wm;
+  F wo_dot_wm;
+};
+template <class F>
+Reflected<F> all_of(const lanes::ReflectionSample<F>& s) {
+  auto normal = unit_normal(s.normal);
+  return {s.wi, s.pdf, s.weight, normal.wm, normal.cos};
+}
+
 template <class F>
 class Lanes {
  public:
   template <class Masked>
-  void expect_bits_of_plain_ggx(Masking masking) {
+  void expect_bits_of_plain_ggx(Masking masking, const Masked& masked) {
     const Columns2 alpha{column(6), column(7)}, u{column(8), column(9)};
     for (Warp warp : kWarps)
       for (bool bounded : {false, true}) {
-        ReflectionOptions options{masking, bounded};
-        sample_reflection(warp, kCount, wo(), alpha, u, {{out(0), out(1), out(2)}, out(3), out(4)}, options);
+        sample_reflection(warp, kCount, wo(), alpha, u, reflection(), {masking, bounded});
         each([&](const V& wo, const V&, const A& alpha, const A& u, F, F) {
-          auto sample = [&](const auto& facet) { return lanes::sample_reflection<Masked>(wo, alpha, facet); };
-          return bounded ? sample(lanes::facet_on_bounded_cap(wo, alpha, on_cap(warp, u)))
-                         : with_facet(warp, wo, alpha, u, sample);
+          return with_warp(warp, [&](auto w) {
+            using W = decltype(w);
+            return all_of(bounded ? lanes::sample_reflection<lanes::Bounded<W>>(wo, alpha, u, masked)
+                                  : lanes::sample_reflection<W>(wo, alpha, u, masked));
+          });
         });
         EXPECT_TRUE(same_bits(batch_, lane_)) << "reflection " << int(warp) << " bounded " << bounded;
       }
     for (bool bounded : {false, true}) {
       evaluate_reflection(kCount, wo(), wi(), alpha, {out(0), out(1)}, {masking, bounded});
       each([&](const V& wo, const V& wi, const A& alpha, const A&, F, F) {
-        return bounded ? lanes::evaluate_reflection_bounded<Masked>(wo, wi, alpha)
-                       : lanes::evaluate_reflection<Masked>(wo, wi, alpha);
+        return bounded ? lanes::evaluate_reflection_bounded(wo, wi, alpha, masked)
+                       : lanes::evaluate_reflection(wo, wi, alpha, masked);
       });
       EXPECT_TRUE(same_bits(batch_, lane_)) << "evaluation, bounded " << bounded;
     }
@@ -59,21 +82,16 @@ class Lanes {
       sample_dielectric(warp, kCount, wo(), alpha, column(11), {u.x, u.y, column(10)},
                         {{out(0), out(1), out(2)}, out(3), out(4), out(5)}, masking);
       each([&](const V& wo, const V&, const A& alpha, const A& u, F u3, F eta) {
-        auto below = wo.z < F(0.f);
-        V view = lanes::mirrored(below, wo);
-        auto sample = with_facet(warp, view, alpha, u, [&](const auto& facet) {
-          return lanes::sample_dielectric<Masked>(view, alpha, facet, lanes::index_seen(below, eta), u3);
+        auto sample = with_warp(warp, [&](auto w) {
+          return lanes::sample_dielectric<decltype(w)>(wo, alpha, eta, V{u.x, u.y, u3}, masked);
         });
-        sample.wi = lanes::mirrored(below, sample.wi);
-        return sample;
+        return Refracted{sample.wi, sample.pdf, sample.weight, sample.side};
       });
       EXPECT_TRUE(same_bits(batch_, lane_)) << "dielectric " << int(warp);
     }
     evaluate_dielectric(kCount, wo(), wi(), alpha, column(11), {out(0), out(1)}, masking);
     each([&](const V& wo, const V& wi, const A& alpha, const A&, F, F eta) {
-      auto below = wo.z < F(0.f);
-      return lanes::evaluate_dielectric<Masked>(lanes::mirrored(below, wo), lanes::mirrored(below, wi), alpha,
-                                                lanes::index_seen(below, eta));
+      return lanes::evaluate_dielectric(wo, wi, alpha, eta, masked);
     });
     EXPECT_TRUE(same_bits(batch_, lane_)) << "evaluation of the dielectric";
     pdf_normals(kCount, wo(), wi(), alpha, out(0));
@@ -85,15 +103,12 @@ class Lanes {
 
   void expect_bits_of_ellipsoids() {
     const Ellipsoid ellipsoid({column(6), column(7)}, column(3), column(4), column(5));
-    auto shape = [](const V& theta, const A& alpha) { return lanes::tilted_shape(alpha, theta.x, theta.y, theta.z); };
     for (Warp warp : kWarps) {
-      sample_reflection(warp, kCount, wo(), ellipsoid, {column(8), column(9)},
-                        {{out(0), out(1), out(2)}, out(3), out(4)});
+      sample_reflection(warp, kCount, wo(), ellipsoid, {column(8), column(9)}, reflection());
       each([&](const V& wo, const V& theta, const A& alpha, const A& u, F, F) {
-        auto a = shape(theta, alpha);
-        return with_facet(warp, wo, a, u, [&](const auto& facet) {
-          return lanes::sample_reflection<lanes::Lunes>(wo, narrowed(a), facet);
-        });
+        auto shape = lanes::tilted_shape(alpha, theta.x, theta.y, theta.z);
+        return with_warp(
+            warp, [&](auto w) { return all_of(lanes::sample_reflection<decltype(w)>(wo, shape, u, lanes::kLunes)); });
       });
       EXPECT_TRUE(same_bits(batch_, lane_)) << "ellipsoids " << int(warp);
     }
@@ -102,23 +117,17 @@ class Lanes {
  private:
   using V = lanes::Vec3<F>;
   using A = lanes::Vec2<F>;
+  struct Refracted {
+    V wi;
+    F pdf, weight, side;
+  };
 
   const float* column(std::size_t c) const { return in_[c].data(); }
   float* out(std::size_t c) { return batch_[c].data(); }
   Columns3 wo() const { return {column(0), column(1), column(2)}; }
   Columns3 wi() const { return {column(3), column(4), column(5)}; }
-
-  static lanes::CapPoint<F> on_cap(Warp warp, const A& u) {
-    return warp == Warp::polar        ? lanes::polar_cap_map(u)
-           : warp == Warp::concentric ? lanes::concentric_cap_map(lanes::wedge_of(u))
-                                      : lanes::cap_map(u);
-  }
-  /// sample(facet) for the warp's facet, which has a type of its own on the cap.
-  template <class Shape, class Sample>
-  static auto with_facet(Warp warp, const V& wo, const Shape& shape, const A& u, Sample sample) {
-    return warp == Warp::polar        ? sample(lanes::facet_on_chord(wo, shape, chord(lanes::polar_map(u))))
-           : warp == Warp::concentric ? sample(lanes::facet_on_chord(wo, shape, chord(lanes::concentric_map(u))))
-                                      : sample(lanes::facet_on_cap(wo, shape, lanes::cap_map(u)));
+  ReflectionSamples reflection() {
+    return {{out(0), out(1), out(2)}, out(3), out(4), {out(5), out(6), out(7)}, out(8)};
   }
 
   /// Stores the members of f's result, in order, and takes the other columns as they are.
@@ -136,14 +145,14 @@ class Lanes {
   }
 
   Table in_ = random_inputs();  // wo, wi, alpha, u, eta
-  Table batch_{6, std::vector<float>(kCount)}, lane_ = batch_;
+  Table batch_{9, std::vector<float>(kCount)}, lane_ = batch_;
 };
 
 template <class F>
 void expect_bits() {
   Lanes<F> test;
-  test.template expect_bits_of_plain_ggx<lanes::HeightCorrelated>(Masking::height_correlated);
-  test.template expect_bits_of_plain_ggx<lanes::Separable>(Masking::separable);
+  test.expect_bits_of_plain_ggx(Masking::height_correlated, lanes::kHeightCorrelated);
+  test.expect_bits_of_plain_ggx(Masking::separable, lanes::kSeparable);
   test.expect_bits_of_ellipsoids();
 }
 TEST(ShadingLanes, Float) {
@@ -151,6 +160,9 @@ TEST(ShadingLanes, Float) {
 }
 TEST(ShadingLanes, Batch) {
   expect_bits<xsimd::batch<float>>();
+}
+TEST(ShadingLanes, ManyBatches) {
+  expect_bits<lanes::Many<xsimd::batch<float>, 2>>();
 }
 
 }  // namespace

@@ -4,3 +4,4 @@ VNDF_ISA(better, true)
 VNDF_ISA(absent, false)
 VNDF_ISA(best, true)
 VNDF_ISA(future, false)
+#undef VNDF_ISA

@@ -2,14 +2,10 @@
 #pragma once
 
 #include <vndf/lanes/sincos2pi.h>
+#include <vndf/lanes/vec.h>
 
 namespace vndf::lanes {
 inline namespace VNDF_LANES_BUILD {
-
-template <class F>
-struct Vec2 {
-  F x, y;
-};
 
 /// A point of the unit disk: (t1, t2) = r (cos, sin), with e = 1 - r^2, its distance from the rim, known beforehand.
 template <class F>

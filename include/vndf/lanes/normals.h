@@ -1,40 +1,34 @@
-// The three warps from random numbers to visible normals, stage by stage.
+// Visible normals: the paper from end to end.
 #pragma once
 
-#include <vndf/lanes/spherical_cap.h>
+#include <vndf/lanes/warps.h>
 
 namespace vndf::lanes {
 inline namespace VNDF_LANES_BUILD {
 
-template <class F, class Shape = Vec2<F>, class Theta = XAxis>
-VNDF_INLINE Vec3<F> sample_normal_on_chord(const Vec3<F>& wo, const Shape& shape, const Chord<F>& t,
-                                           const Theta& theta_z = {}) {
-  auto view = map_to_hemisphere(stretch(wo, shape), azimuth_of(shape));
-  return map_from_hemisphere(reproject(view, t).nh, narrowed(shape), theta_z);
+/// A visible normal of wo, as the warp maps u. `theta_z` turns it back from a turned frame.
+///
+/// Source: Heitz 2018; Dupuy and Benyoub 2023.
+template <class Warp, class F, class Shape = Vec2<F>, class Theta = XAxis>
+VNDF_INLINE Vec3<F> sample_normal(const Vec3<F>& wo, const Shape& shape, Vec2<F> u, const Theta& theta_z = {}) {
+  Vec3<F> h = stretch(wo, shape);  // 3.2, eq. 5
+  if constexpr (Warp::kOnDisk) {
+    auto t = chord(Warp::disk_point(u));                       // 4.2, eq. 9-10
+    auto view = map_to_hemisphere(h, azimuth_of(shape));       // 3.2
+    auto nh = reproject(view, t).nh;                           // 4.2-4.3, eq. 11-13
+    return map_from_hemisphere(nh, narrowed(shape), theta_z);  // 3.4, eq. 6
+  } else {
+    auto view = cap_view(h, azimuth_of(shape));
+    auto nh = on_cap(view, Warp::cap_point(u)).nh;
+    return map_from_hemisphere(nh, narrowed(shape), theta_z);
+  }
 }
 
-template <class F, class Shape = Vec2<F>, class Theta = XAxis>
-VNDF_INLINE Vec3<F> sample_normal_polar(const Vec3<F>& wo, const Shape& shape, Vec2<F> u, const Theta& theta_z = {}) {
-  return sample_normal_on_chord(wo, shape, chord(polar_map(u)), theta_z);
-}
-
-template <class F, class Shape = Vec2<F>, class Theta = XAxis>
-VNDF_INLINE Vec3<F> sample_normal_concentric(const Vec3<F>& wo, const Shape& shape, Vec2<F> u,
-                                             const Theta& theta_z = {}) {
-  return sample_normal_on_chord(wo, shape, chord(concentric_map(u)), theta_z);
-}
-
-template <class F, class Shape = Vec2<F>, class Theta = XAxis>
-VNDF_INLINE Vec3<F> sample_normal_cap(const Vec3<F>& wo, const Shape& shape, Vec2<F> u, const Theta& theta_z = {}) {
-  auto view = cap_view(stretch(wo, shape), azimuth_of(shape));
-  return map_from_hemisphere(on_cap(view, cap_map(u)).nh, narrowed(shape), theta_z);
-}
-
-/// Plain GGX whose axes theta_z turns about n: sample(wo, theta_z) is one of the above for alpha and u.
-template <class F, class Sample>
-VNDF_INLINE Vec3<F> sample_in_turned_frame(const Vec3<F>& wo, F theta_z, Sample sample) {
+/// Of plain GGX whose axes theta_z turns about n.
+template <class Warp, class F>
+VNDF_INLINE Vec3<F> sample_normal_turned(const Vec3<F>& wo, Vec2<F> alpha, F theta_z, Vec2<F> u) {
   auto rotation = rotation_of(theta_z);
-  return sample(turn(wo, rotation), angle_of<F>(rotation));
+  return sample_normal<Warp>(turn(wo, rotation), alpha, u, angle_of<F>(rotation));
 }
 
 }  // namespace VNDF_LANES_BUILD

@@ -6,18 +6,11 @@
 // the horizon or on it; below, directions are written, with density and weight 0.
 #pragma once
 
-#include <vndf/lanes/ggx.h>
-#include <vndf/lanes/spherical_cap.h>
+#include <vndf/lanes/ndf.h>
+#include <vndf/lanes/warps.h>
 
 namespace vndf::lanes {
 inline namespace VNDF_LANES_BUILD {
-
-/// What the shading step needs to know of the view: |A wo|, and `area` = |A wo| + k (A wo).z, twice the projected area
-/// of the normals that are sampled; k = 1 if not bounded.
-template <class F>
-struct ViewSize {
-  F length, area;
-};
 
 /// A visible normal in the hemisphere configuration, of any length, nh = c Nh, and 2 A wo.nh = 2 c |A^T Nh| wo.wm.
 /// From the disk, the latter is through the height that the reprojection takes its root of, not as a sum of products.
@@ -32,27 +25,6 @@ struct CapFacet {
   Vec3<F> nh;
   F per_cos;
 };
-
-template <class F>
-VNDF_INLINE Facet<F> sample_on_chord(const HemisphereView<F>& view, F length, const Chord<F>& t) {
-  auto point = reproject(view, t);
-  return {point.nh, (point.cos + point.cos) * length};
-}
-
-/// Of all visible normals: |A wo| and, upright shapes leaving z as it is, wo.z.
-template <bool upright, class F>
-VNDF_INLINE ViewSize<F> visible_size(const CapView<F>& view, F h_z) {
-  F length = view.length * unscale(view);
-  if constexpr (upright)
-    return {length, length + h_z};
-  else
-    return {length, view.plus * unscale(view)};
-}
-template <class F>
-VNDF_INLINE ViewSize<F> bounded_size(const CapView<F>& view, F h_z, const Bound<F>& bound) {
-  F length = view.length * unscale(view);
-  return {length, length + bound.k * op::abs(h_z)};
-}
 
 template <class F>
 VNDF_INLINE CapFacet<F> facet_of(const CapNormal<F>& normal, const CapView<F>& view) {
@@ -97,8 +69,8 @@ VNDF_INLINE SeenNormal<F> seen_normal(const Vec3<F>& wo, const Vec3<F>& nh, cons
 /// The facet knows the cosine to full relative accuracy, which weights at grazing angles need. But of the exact normal:
 /// where rounding has moved p (far, for steep problems), a wi made of the two would not be as long as wo. There, that
 /// of p itself is right.
-template <class F, template <class> class Facet>
-VNDF_INLINE Normal<F> normal_of(const Facet<F>& facet, const SeenNormal<F>& seen) {
+template <class F, class Facet>
+VNDF_INLINE Normal<F> normal_of(const Facet& facet, const SeenNormal<F>& seen) {
   constexpr float kRounding = 0x1p-22f;  // of 4 (wo.wm)^2
   const auto& [p, p2] = seen.normal;
   auto inverse = inverses(facet, p2);
@@ -106,8 +78,8 @@ VNDF_INLINE Normal<F> normal_of(const Facet<F>& facet, const SeenNormal<F>& seen
   F off = op::abs(inverse.along * inverse.along - of_p * of_p) * p2;
   return {p, p2, inverse.inv_p2, op::select(off < F(kRounding), inverse.along, of_p)};
 }
-template <class F, template <class> class Facet, class Shape = Vec2<F>>
-VNDF_INLINE Normal<F> normal_of(const Vec3<F>& wo, const Facet<F>& facet, const Shape& shape) {
+template <class F, class Facet, class Shape = Vec2<F>>
+VNDF_INLINE Normal<F> normal_of(const Vec3<F>& wo, const Facet& facet, const Shape& shape) {
   return normal_of(facet, seen_normal(wo, facet.nh, shape));
 }
 
@@ -147,36 +119,6 @@ VNDF_INLINE F spread(const Vec3<F>& nh, const Normal<F>& normal, F area, const S
   return op::abs((a.x * g) * (a.y * g)) * area;
 }
 
-/// A weight without the excess over 1 that only rounding can give it; 1 where view and light graze so much that both
-/// terms of the quotient vanish.
-template <class F>
-VNDF_INLINE F at_most_one(F weight) {
-  return op::select(weight <= F(1.f), weight, F(1.f));
-}
-
-/// The weight G2(wo, wi) / G1(wo) and, if the sampling is bounded, times the share of the visible area that it leaves.
-/// `Light` is what it takes from the light's direction, here the length |A wi|. length_o = |A wo|.
-struct ByLengths {
-  template <class F>
-  using Light = F;
-  template <class F, class Shape = Vec2<F>>
-  static VNDF_INLINE F light(const Vec3<F>& wi, const Shape& shape) {
-    return stretched_length(wi, shape);
-  }
-};
-struct HeightCorrelated : ByLengths {
-  template <class F>
-  static VNDF_INLINE F weight(F wo_z, F length_o, F area, F wi_z, F length_i) {
-    return at_most_one((wi_z * area) / (wi_z * length_o + length_i * wo_z));
-  }
-};
-struct Separable : ByLengths {
-  template <class F>
-  static VNDF_INLINE F weight(F wo_z, F length_o, F area, F wi_z, F length_i) {
-    return at_most_one(((wi_z + wi_z) * area) / ((wi_z + length_i) * (wo_z + length_o)));
-  }
-};
-
 /// Where light can go from wi to wo above the surface: wo.z >= 0, wi.z > 0, and there is a view.
 template <class F>
 VNDF_INLINE Mask<F> both_above(F wo_z, F wi_z, F area) {
@@ -189,64 +131,70 @@ struct Weighed {
   F pdf, weight;
 };
 
-/// From a reflected direction's height, the size of its view and its spread.
-template <class Masking, class F>
-VNDF_INLINE Weighed<F> weigh_reflection(F wo_z, const ViewSize<F>& view, F wi_z, F spread,
-                                        const typename Masking::template Light<F>& light) {
-  F weight = Masking::weight(wo_z, view.length, view.area, wi_z, light);
-  auto above = both_above(wo_z, wi_z, view.area);
+/// From a reflected direction's height, its view, and its spread.
+template <class Masking, class F, class Shadowing>
+VNDF_INLINE Weighed<F> weigh_reflection(const SeenView<F>& view, F wi_z, F spread, const Masking& masking,
+                                        const Shadowing& shadowing) {
+  F weight = masking.weight(view, wi_z, shadowing);
+  auto above = both_above(view.z, wi_z, view.area);
   return {op::select(above, at_most_delta(F(kInv2Pi) / spread), F(0.f)), op::select(above, weight, F(0.f))};
+}
+
+/// A facet, and the view that it was sampled for.
+template <class F, class Facet>
+struct FacetOfView {
+  Facet facet;
+  SeenView<F> view;
+};
+
+/// The facet that the warp maps u to.
+template <class Warp, class F, class Shape = Vec2<F>>
+VNDF_INLINE auto sample_facet(const Vec3<F>& wo, const Shape& shape, Vec2<F> u) {
+  Vec3<F> h = stretch(wo, shape);  // Heitz 2018, 3.2, eq. 5
+  if constexpr (Warp::kOnDisk) {
+    auto t = chord(Warp::disk_point(u));  // 4.2, eq. 9-10
+    F length;
+    auto scaled = scale_view(h, azimuth_of(shape), length);
+    auto elevation = elevation_of(scaled);
+    F area = kUpright<Shape> ? length + wo.z : lune_area(length, h.z, elevation.one_plus_z);
+    auto point = reproject(hemisphere_view(scaled, elevation), t);  // 4.2-4.3, eq. 11-13
+    return FacetOfView<F, Facet<F>>{{point.nh, (point.cos + point.cos) * length}, {wo.z, length, area}};
+  } else {
+    auto view = cap_view(h, azimuth_of(shape));
+    F length = view.length * unscale(view);
+    if constexpr (Warp::kBounded) {
+      auto bound = reflection_bound(wo, shape);
+      auto normal = on_bounded_cap(view, bound, Warp::cap_point(u));
+      return FacetOfView<F, CapFacet<F>>{facet_of(normal, view), {wo.z, length, length + bound.k * op::abs(h.z)}};
+    } else {
+      auto normal = on_cap(view, Warp::cap_point(u));
+      F area = kUpright<Shape> ? length + h.z : view.plus * unscale(view);
+      return FacetOfView<F, CapFacet<F>>{facet_of(normal, view), {wo.z, length, area}};
+    }
+  }
 }
 
 template <class F>
 struct ReflectionSample {
   Vec3<F> wi;
   F pdf, weight;
+  Normal<F> normal;  // unit_normal(normal) is wm, and its cosine to the view
 };
 
-/// A facet, and the size of the view it was sampled for.
-template <class F, template <class> class Facet>
-struct FacetOfView {
-  Facet<F> facet;
-  ViewSize<F> view;
-};
-
-/// Facets of the three warps, what sample_reflection below takes: `t` is chord(polar_map(u)) or
-/// chord(concentric_map(u)), c cap_map(u).
-template <class F, class Shape = Vec2<F>>
-VNDF_INLINE FacetOfView<F, Facet> facet_on_chord(const Vec3<F>& wo, const Shape& shape, const Chord<F>& t) {
-  Vec3<F> h = stretch(wo, shape);
-  F length;
-  auto view = scale_view(h, azimuth_of(shape), length);
-  auto elevation = elevation_of(view);
-  F area = kUpright<Shape> ? length + wo.z : lune_area(length, h.z, elevation.one_plus_z);
-  return {sample_on_chord(hemisphere_view(view, elevation), length, t), {length, area}};
-}
-template <class F, class Shape = Vec2<F>>
-VNDF_INLINE FacetOfView<F, CapFacet> facet_on_cap(const Vec3<F>& wo, const Shape& shape, const CapPoint<F>& c) {
-  Vec3<F> h = stretch(wo, shape);
-  auto view = cap_view(h, azimuth_of(shape));
-  return {facet_of(on_cap(view, c), view), visible_size<kUpright<Shape>>(view, h.z)};
-}
-/// Eto and Tokuyoshi 2023. `c` is one of the three maps' point of the cap.
-template <class F>
-VNDF_INLINE FacetOfView<F, CapFacet> facet_on_bounded_cap(const Vec3<F>& wo, const Vec2<F>& alpha,
-                                                          const CapPoint<F>& c) {
-  Vec3<F> h = stretch(wo, alpha);
-  auto view = cap_view(h);
-  auto bound = reflection_bound(wo, alpha);
-  return {facet_of(on_bounded_cap(view, bound, c), view), bounded_size(view, h.z, bound)};
-}
-
-/// From a facet: reflect, density, weight. The shape is the one that the facet was sampled with, narrowed.
-template <class Masking, class F, template <class> class Facet, class Shape = Vec2<F>>
-VNDF_INLINE ReflectionSample<F> sample_reflection(const Vec3<F>& wo, const Shape& shape,
-                                                  const FacetOfView<F, Facet>& at) {
-  auto normal = normal_of(wo, at.facet, shape);
-  Vec3<F> wi = reflect(wo, normal);
-  auto weighed = weigh_reflection<Masking>(wo.z, at.view, wi.z, spread(at.facet.nh, normal, at.view.area, shape),
-                                           Masking::light(wi, shape));
-  return {wi, weighed.pdf, weighed.weight};
+/// Reflection at the visible normal that the warp maps u to, Bounded<Warp> at the smaller cap's. `masking` is
+/// kHeightCorrelated, kSeparable or, for ellipsoids, kLunes.
+///
+/// Source: Heitz 2018, eq. 16, 17 and 19.
+template <class Warp, class Masking, class F, class Shape = Vec2<F>>
+VNDF_INLINE ReflectionSample<F> sample_reflection(const Vec3<F>& wo, const Shape& shape, Vec2<F> u,
+                                                  const Masking& masking) {
+  const auto& floats = narrowed(shape);
+  auto [facet, view] = sample_facet<Warp>(wo, shape, u);
+  auto normal = normal_of(wo, facet, floats);  // eq. 6
+  Vec3<F> wi = reflect(wo, normal);            // eq. 16
+  auto weighed = weigh_reflection(view, wi.z, spread(facet.nh, normal, view.area, floats), masking,
+                                  masking.shadowing(wi, floats));  // eq. 17, 19
+  return {wi, weighed.pdf, weighed.weight, normal};
 }
 
 /// f cos without Fresnel's factor, and the density that sampling has for the pair.
@@ -255,64 +203,48 @@ struct Evaluation {
   F f_cos, pdf;
 };
 
-/// Of a pair of directions and a shape, what comes before the divisions.
-template <class Masking, class F>
-struct PairTerms {
-  NdfTerms<F> ndf;
-  F length, area;
-  typename Masking::template Light<F> light;
-};
-/// From the view, the half vector of any length, and the light's.
-template <class Masking, class F, class Shape = Vec2<F>>
-VNDF_INLINE PairTerms<Masking, F> pair_terms(const Vec3<F>& wo, const Vec3<F>& h, const Shape& shape,
-                                             const typename Masking::template Light<F>& light) {
-  F length(0.f), area;
+/// The view of a given pair.
+template <class F, class Shape>
+VNDF_INLINE SeenView<F> seen_view(const Vec3<F>& wo, const Shape& shape) {
   if constexpr (kUpright<Shape>) {
-    length = stretched_length(wo, narrowed(shape));
-    area = length + wo.z;
+    F length = stretched_length(wo, narrowed(shape));
+    return {wo.z, length, length + wo.z};
   } else {
     // Lunes are masked by their areas alone.
-    area = lune_area(stretch(wo, narrowed(shape)));
+    return {wo.z, F(0.f), lune_area(stretch(wo, narrowed(shape)))};
   }
-  return {ndf_terms(h, shape), length, area, light};
-}
-
-/// h = wo + wi is taken as it is: one rounding for each component, none for its length.
-template <class Masking, class F, class Shape = Vec2<F>>
-VNDF_INLINE PairTerms<Masking, F> reflection_terms(const Vec3<F>& wo, const Vec3<F>& wi, const Shape& shape) {
-  Vec3<F> h = {wo.x + wi.x, wo.y + wi.y, wo.z + wi.z};
-  return pair_terms<Masking>(wo, h, shape, Masking::light(wi, narrowed(shape)));
-}
-/// The pair of bounded sampling.
-template <class Masking, class F>
-VNDF_INLINE PairTerms<Masking, F> reflection_terms_bounded(const Vec3<F>& wo, const Vec3<F>& wi, const Vec2<F>& alpha) {
-  auto terms = reflection_terms<Masking>(wo, wi, alpha);
-  terms.area = terms.length + reflection_bound(wo, alpha).k * wo.z;
-  return terms;
 }
 
 /// D(h) / (2 area).
-template <class Masking, class F>
-VNDF_INLINE F pair_pdf(const PairTerms<Masking, F>& terms) {
-  return at_most_delta(ndf(terms.ndf) / (terms.area + terms.area));
+template <class F>
+VNDF_INLINE F pair_pdf(const NdfTerms<F>& ndf_terms, const SeenView<F>& view) {
+  return at_most_delta(ndf(ndf_terms) / (view.area + view.area));
 }
 
-/// f cos = pdf weight.
-template <class Masking, class F>
-VNDF_INLINE Evaluation<F> evaluate_pair(F wo_z, F wi_z, const PairTerms<Masking, F>& terms) {
-  F pdf = pair_pdf(terms);
-  F weight = Masking::weight(wo_z, terms.length, terms.area, wi_z, terms.light);
-  auto above = both_above(wo_z, wi_z, terms.area);
+/// f cos = pdf weight. h = wo + wi is taken as it is: one rounding for each component, none for its length.
+template <class F, class Masking, class Shape>
+VNDF_INLINE Evaluation<F> evaluate_seen(const Vec3<F>& wo, const Vec3<F>& wi, const Shape& shape,
+                                        const SeenView<F>& view, const Masking& masking) {
+  auto terms = ndf_terms(Vec3<F>{wo.x + wi.x, wo.y + wi.y, wo.z + wi.z}, shape);
+  F pdf = pair_pdf(terms, view);
+  F weight = masking.weight(view, wi.z, masking.shadowing(wi, narrowed(shape)));
+  auto above = both_above(view.z, wi.z, view.area);
   return {op::select(above, pdf * weight, F(0.f)), op::select(above, pdf, F(0.f))};
 }
 
-template <class Masking, class F, class Shape = Vec2<F>>
-VNDF_INLINE Evaluation<F> evaluate_reflection(const Vec3<F>& wo, const Vec3<F>& wi, const Shape& shape) {
-  return evaluate_pair(wo.z, wi.z, reflection_terms<Masking>(wo, wi, shape));
+/// The BRDF of a pair of directions, eq. 15 of Heitz 2018, and the density that sample_reflection has for it, eq. 17.
+template <class F, class Masking, class Shape = Vec2<F>>
+VNDF_INLINE Evaluation<F> evaluate_reflection(const Vec3<F>& wo, const Vec3<F>& wi, const Shape& shape,
+                                              const Masking& masking) {
+  return evaluate_seen(wo, wi, shape, seen_view(wo, shape), masking);
 }
-template <class Masking, class F>
-VNDF_INLINE Evaluation<F> evaluate_reflection_bounded(const Vec3<F>& wo, const Vec3<F>& wi, const Vec2<F>& alpha) {
-  return evaluate_pair(wo.z, wi.z, reflection_terms_bounded<Masking>(wo, wi, alpha));
+/// The same of bounded sampling, Eto and Tokuyoshi 2023, eq. 8.
+template <class F, class Masking>
+VNDF_INLINE Evaluation<F> evaluate_reflection_bounded(const Vec3<F>& wo, const Vec3<F>& wi, const Vec2<F>& alpha,
+                                                      const Masking& masking) {
+  auto view = seen_view(wo, alpha);
+  view.area = view.length + reflection_bound(wo, alpha).k * wo.z;
+  return evaluate_seen(wo, wi, alpha, view, masking);
 }
 
 }  // namespace VNDF_LANES_BUILD

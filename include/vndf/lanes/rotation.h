@@ -3,24 +3,12 @@
 
 #include <vndf/lanes/sincos2pi.h>
 #include <vndf/lanes/split.h>
+#include <vndf/lanes/vec.h>
+
 #include <type_traits>
 
 namespace vndf::lanes {
 inline namespace VNDF_LANES_BUILD {
-
-template <class F>
-struct Vec3 {
-  F x, y, z;
-};
-
-template <class F>
-VNDF_INLINE F dot(const Vec3<F>& a, const Vec3<F>& b) {
-  return (a.x * b.x + a.y * b.y) + a.z * b.z;
-}
-template <class F>
-VNDF_INLINE Vec3<F> cross(const Vec3<F>& a, const Vec3<F>& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 
 /// By whole quarter turns, the number of which is in the two lowest bits: (x, y), (-y, x), (-x, -y) or (y, -x).
 template <class F>

@@ -12,8 +12,8 @@
 //
 // The products A v and Rz v are sums that can cancel, for views near the horizon of the leaning ellipsoid, or along the
 // narrow axis of a turned one; small alpha magnifies what is lost then. Hence A and the angle are given in two parts,
-// T = Split<F>, where they meet the view that is sampled for, and so is A^-T. The way back, A^T Nh, and the lengths of
-// A v, are as well conditioned as those of plain GGX and take floats, T = F: a shape and an angle are `narrowed` for
+// Triangle, where they meet the view that is sampled for, and so is A^-T. The way back, A^T Nh, and the lengths of A v,
+// are as well conditioned as those of plain GGX and take floats, FloatTriangle: a shape and an angle are `narrowed` for
 // them.
 //
 // Frames: Walter's disk is Heitz's turned, (x_a, y_a) = (t2, -t1). Here it is Heitz's everywhere.
@@ -26,13 +26,19 @@ namespace vndf::lanes {
 inline namespace VNDF_LANES_BUILD {
 
 /// A = ((xx, 0, 0), (yx, yy, 0), (zx, zy, 1)): any ellipsoid. |A| = xx yy.
-template <class F, class T = Split<F>>
-struct Tilted {
+template <class F, class Element>
+struct TriangleOf {
   F xx;
-  T yx, yy, zx, zy;
+  Element yx, yy, zx, zy;
   // Of the x axis that the triangle has for theta_z = 0. Azimuths count from there, so that theta_z turns the samples.
   Angle<F> azimuth;
 };
+/// For the view: in two parts.
+template <class F>
+using Triangle = TriangleOf<F, Split<F>>;
+/// For the way back, and for lengths.
+template <class F>
+using FloatTriangle = TriangleOf<F, F>;
 
 /// Roughness of which something can be divided by: at least 2^-60, without sign.
 template <class F>
@@ -48,14 +54,14 @@ VNDF_INLINE F at_least_mirror(F alpha) {
 template <class Shape>
 constexpr bool kUpright = true;
 template <class F, class T>
-constexpr bool kUpright<Tilted<F, T>> = false;
+constexpr bool kUpright<TriangleOf<F, T>> = false;
 /// The diagonal of A, the product of which is |A|.
 template <class F>
 VNDF_INLINE Vec2<F> diagonal(const Vec2<F>& alpha) {
   return alpha;
 }
 template <class F>
-VNDF_INLINE Vec2<F> diagonal(const Tilted<F, F>& a) {
+VNDF_INLINE Vec2<F> diagonal(const FloatTriangle<F>& a) {
   return {a.xx, a.yy};
 }
 /// As floats.
@@ -64,7 +70,7 @@ VNDF_INLINE Vec2<F> narrowed(const Vec2<F>& alpha) {
   return alpha;
 }
 template <class F>
-VNDF_INLINE Tilted<F, F> narrowed(const Tilted<F>& a) {
+VNDF_INLINE FloatTriangle<F> narrowed(const Triangle<F>& a) {
   return {a.xx, narrowed(a.yx), narrowed(a.yy), narrowed(a.zx), narrowed(a.zy), a.azimuth};
 }
 
@@ -74,7 +80,7 @@ VNDF_INLINE XAxis azimuth_of(const Vec2<F>&) {
   return {};
 }
 template <class F, class T>
-VNDF_INLINE Angle<F> azimuth_of(const Tilted<F, T>& a) {
+VNDF_INLINE Angle<F> azimuth_of(const TriangleOf<F, T>& a) {
   return a.azimuth;
 }
 
@@ -84,7 +90,7 @@ VNDF_INLINE Vec3<F> stretch(const Vec3<F>& v, const Vec2<F>& alpha) {
   return {alpha.x * v.x, alpha.y * v.y, v.z};
 }
 template <class F, class T>
-VNDF_INLINE Vec3<F> stretch(const Vec3<F>& v, const Tilted<F, T>& a) {
+VNDF_INLINE Vec3<F> stretch(const Vec3<F>& v, const TriangleOf<F, T>& a) {
   return {a.xx * v.x, sum_of_products(a.yx, v.x, a.yy, v.y), sum_of_products(a.zx, v.x, a.zy, v.y, v.z)};
 }
 /// A^T v, eq. 6.
@@ -93,7 +99,7 @@ VNDF_INLINE Vec3<F> stretch_back(const Vec3<F>& v, const Vec2<F>& alpha) {
   return stretch(v, alpha);
 }
 template <class F>
-VNDF_INLINE Vec3<F> stretch_back(const Vec3<F>& v, const Tilted<F, F>& a) {
+VNDF_INLINE Vec3<F> stretch_back(const Vec3<F>& v, const FloatTriangle<F>& a) {
   return {(a.xx * v.x + a.yx * v.y) + a.zx * v.z, a.yy * v.y + a.zy * v.z, v.z};
 }
 }  // namespace VNDF_LANES_BUILD

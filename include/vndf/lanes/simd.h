@@ -252,6 +252,48 @@ VNDF_INLINE void store(Batch<Arch> a, float* p) {
   a.store_unaligned(p);
 }
 
+/// The first n floats at p, fewer than a vector and at least one, and for the other lanes the first of them: what is
+/// beyond is not touched. Whole vectors are written and read: pieces of one that is then read as a whole would stall.
+template <class F>
+VNDF_INLINE F load_first(const float* p, std::size_t n) {
+#if defined(__AVX512F__)
+  if constexpr (kWidth<F> == 16)
+    return _mm512_mask_loadu_ps(_mm512_set1_ps(*p), static_cast<__mmask16>((1u << n) - 1), p);
+#endif
+#if defined(__AVX2__)
+  if constexpr (kWidth<F> == 8) {
+    __m256i wanted =
+        _mm256_cmpgt_epi32(_mm256_set1_epi32(static_cast<int>(n)), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
+    return _mm256_blendv_ps(_mm256_set1_ps(*p), _mm256_maskload_ps(p, wanted), _mm256_castsi256_ps(wanted));
+  }
+#endif
+#if defined(__SSE4_1__)
+  if constexpr (kWidth<F> == 4) {
+    __m128 all = _mm_set1_ps(*p);
+    if (n > 1) all = _mm_insert_ps(all, _mm_load_ss(p + 1), 0x10);
+    if (n > 2) all = _mm_insert_ps(all, _mm_load_ss(p + 2), 0x20);
+    return all;
+  }
+#endif
+  alignas(64) float all[kWidth<F>];
+  for (std::size_t i = 0; i < kWidth<F>; ++i) all[i] = p[i < n ? i : 0];
+  return load<F>(all);
+}
+template <class F>
+VNDF_INLINE void store_first(F a, float* p, std::size_t n) {
+#if defined(__AVX512F__)
+  if constexpr (kWidth<F> == 16) return _mm512_mask_storeu_ps(p, static_cast<__mmask16>((1u << n) - 1), a);
+#endif
+#if defined(__AVX2__)
+  if constexpr (kWidth<F> == 8)
+    return _mm256_maskstore_ps(
+        p, _mm256_cmpgt_epi32(_mm256_set1_epi32(static_cast<int>(n)), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7)), a);
+#endif
+  alignas(64) float all[kWidth<F>];
+  store(a, all);
+  for (std::size_t i = 0; i < n; ++i) p[i] = all[i];
+}
+
 /// Stores past the caches; p is aligned to the vector. Visible to other threads only after finish_streaming().
 template <class F>
 VNDF_INLINE void stream(F a, float* p) {

@@ -1,7 +1,7 @@
 // Sine and cosine of 2 pi u.
 #pragma once
 
-#include <vndf/lanes/simd.h>
+#include <vndf/lanes/many.h>
 
 namespace vndf::lanes {
 inline namespace VNDF_LANES_BUILD {

@@ -2,7 +2,7 @@
 // left is so small that its rounding does not matter.
 #pragma once
 
-#include <vndf/lanes/simd.h>
+#include <vndf/lanes/many.h>
 
 namespace vndf::lanes {
 inline namespace VNDF_LANES_BUILD {

@@ -19,7 +19,7 @@ struct ColumnProducts {
 /// An element that is alone in its row, beside zeros, is the float that it is in plain GGX: all of it is the low part,
 /// whose products are rounded as those of floats are.
 template <class F>
-VNDF_INLINE Tilted<F> triangle(const ColumnProducts<Wide<F>>& of) {
+VNDF_INLINE Triangle<F> triangle(const ColumnProducts<Wide<F>>& of) {
   auto inv = of.inverse();
   auto inv_a3_a3 = of.c2_length * inv;
   auto yx = split<F>(of.c1_c2 * inv);
@@ -37,7 +37,7 @@ VNDF_INLINE Tilted<F> triangle(const ColumnProducts<Wide<F>>& of) {
 /// S Rx(theta_x) Ry(theta_y) Rz(theta_z), eq. 2-3. For theta_z = 0, c1 = -|S| S^-1 r2 and c2 = |S| S^-1 r1 with the
 /// columns r of Rx Ry, and most of the sums collapse; theta_z turns a1 and a2, and c1 and c2 with them.
 template <class F>
-VNDF_INLINE Tilted<F> tilted_shape(const Vec2<F>& alpha, F theta_x, F theta_y, F theta_z) {
+VNDF_INLINE Triangle<F> tilted_shape(const Vec2<F>& alpha, F theta_x, F theta_y, F theta_z) {
   using W = Wide<F>;
   auto x = angle_of<W>(theta_x), y = angle_of<W>(theta_y), z = angle_of<W>(theta_z);
   W alpha_x = op::widen(at_least_mirror(alpha.x)), alpha_y = op::widen(at_least_mirror(alpha.y)),

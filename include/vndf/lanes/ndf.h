@@ -1,11 +1,7 @@
-// GGX: the distribution of normals, Smith's masking, and the densities of visible normals, in forms without division
-// by a cosine.
-//
-// With a = |A v|, A = diag(alpha_x, alpha_y, 1), everything of masking is rational in a and v.z:
-// 1 + Lambda(v) = (a + v.z) / (2 v.z), and (a + v.z) / 2 is the projected area of what v sees.
+// The GGX distribution of normals, and the density of visible ones, in forms without division by a cosine.
 #pragma once
 
-#include <vndf/lanes/hemisphere.h>
+#include <vndf/lanes/masking.h>
 #include <vndf/lanes/shape_for_pairs.h>
 
 namespace vndf::lanes {
@@ -13,28 +9,6 @@ inline namespace VNDF_LANES_BUILD {
 
 constexpr float kInvPi = 0x1.45f306p-2f;
 constexpr float kInv2Pi = 0x1.45f306p-3f;
-
-/// |A v|.
-template <class F, class Shape = Vec2<F>>
-VNDF_INLINE F stretched_length(const Vec3<F>& v, const Shape& shape) {
-  Vec3<F> h = stretch(v, shape);
-  return op::sqrt(dot(h, h));
-}
-
-/// |A v| + (A v).z, in proportion to the projected area of the normals that v sees (Walter et al. 2015, eq. 28), for
-/// any v. Below the horizon it is |((A v).x, (A v).y)|^2 / (|A v| - (A v).z).
-template <class F>
-VNDF_INLINE F lune_area(const Vec3<F>& h) {
-  F l2 = h.x * h.x + h.y * h.y;
-  F sum = op::sqrt(l2 + h.z * h.z) + op::abs(h.z);
-  return op::select(h.z < F(0.f), l2 / sum, sum);
-}
-
-/// The same from |A v| and the elevation of A v: 1 + z where that is a small number.
-template <class F>
-VNDF_INLINE F lune_area(F length, F h_z, F one_plus_z) {
-  return op::select(h_z < F(0.f), length * one_plus_z, length + h_z);
-}
 
 /// The largest density there is: that of a mirror. Finite, so that the weights of multiple importance sampling, with
 /// squares of densities in them, are those of a delta and not NaN.
@@ -69,21 +43,6 @@ VNDF_INLINE F ndf(const NdfTerms<F>& terms) {
 template <class F, class Shape = Vec2<F>>
 VNDF_INLINE F ndf(const Vec3<F>& m, const Shape& shape) {
   return ndf(ndf_terms(m, shape));
-}
-
-/// Lambda(v), eq. 2, for v.z > 0: (a - v.z) / (2 v.z) with the difference taken apart.
-template <class F>
-VNDF_INLINE F smith_lambda(const Vec3<F>& v, const Vec2<F>& alpha) {
-  F x = alpha.x * v.x;
-  F y = alpha.y * v.y;
-  F l2 = x * x + y * y;
-  return l2 / ((op::sqrt(l2 + v.z * v.z) + v.z) * (v.z + v.z));
-}
-
-/// G1(v), eq. 2; 0 for v.z <= 0.
-template <class F>
-VNDF_INLINE F smith_g1(const Vec3<F>& v, const Vec2<F>& alpha) {
-  return op::select(v.z > F(0.f), (v.z + v.z) / (stretched_length(v, alpha) + v.z), F(0.f));
 }
 
 /// Of a view and a normal, what comes before the divisions of their density.

@@ -1,0 +1,129 @@
+// Masking of the view and shadowing of the light: Smith's G, and the lunes of leaning ellipsoids.
+//
+// With a = |A v|, A = diag(alpha_x, alpha_y, 1), everything of it is rational in a and v.z:
+// 1 + Lambda(v) = (a + v.z) / (2 v.z), and (a + v.z) / 2 is the projected area of what v sees.
+//
+// A masking has `shadowing(wi, shape)`, what it takes from the light's direction, and `weight`, G2(wo, wi) / G1(wo).
+#pragma once
+
+#include <vndf/lanes/shape.h>
+
+namespace vndf::lanes {
+inline namespace VNDF_LANES_BUILD {
+
+/// |A v|.
+template <class F, class Shape = Vec2<F>>
+VNDF_INLINE F stretched_length(const Vec3<F>& v, const Shape& shape) {
+  Vec3<F> h = stretch(v, shape);
+  return op::sqrt(dot(h, h));
+}
+
+/// |A v| + (A v).z, in proportion to the projected area of the normals that v sees (Walter et al. 2015, eq. 28), for
+/// any v. Below the horizon it is |((A v).x, (A v).y)|^2 / (|A v| - (A v).z).
+template <class F>
+VNDF_INLINE F lune_area(const Vec3<F>& h) {
+  F l2 = h.x * h.x + h.y * h.y;
+  F sum = op::sqrt(l2 + h.z * h.z) + op::abs(h.z);
+  return op::select(h.z < F(0.f), l2 / sum, sum);
+}
+
+/// The same from |A v| and the elevation of A v: 1 + z where that is a small number.
+template <class F>
+VNDF_INLINE F lune_area(F length, F h_z, F one_plus_z) {
+  return op::select(h_z < F(0.f), length * one_plus_z, length + h_z);
+}
+
+/// Lambda(v), eq. 2, for v.z > 0: (a - v.z) / (2 v.z) with the difference taken apart.
+template <class F>
+VNDF_INLINE F smith_lambda(const Vec3<F>& v, const Vec2<F>& alpha) {
+  F x = alpha.x * v.x;
+  F y = alpha.y * v.y;
+  F l2 = x * x + y * y;
+  return l2 / ((op::sqrt(l2 + v.z * v.z) + v.z) * (v.z + v.z));
+}
+
+/// G1(v), eq. 2; 0 for v.z <= 0.
+template <class F>
+VNDF_INLINE F smith_g1(const Vec3<F>& v, const Vec2<F>& alpha) {
+  return op::select(v.z > F(0.f), (v.z + v.z) / (stretched_length(v, alpha) + v.z), F(0.f));
+}
+
+/// What the shading step needs to know of the view: wo.z, |A wo|, and `area` = |A wo| + k (A wo).z, twice the projected
+/// area of the normals that are sampled; k = 1 if not bounded.
+template <class F>
+struct SeenView {
+  F z, length, area;
+};
+
+/// A weight without the excess over 1 that only rounding can give it; 1 where view and light graze so much that both
+/// terms of the quotient vanish.
+template <class F>
+VNDF_INLINE F at_most_one(F weight) {
+  return op::select(weight <= F(1.f), weight, F(1.f));
+}
+
+/// Smith's: G1(wo) G1(wi) if separable, else height-correlated, 1 / (1 + Lambda(wo) + Lambda(wi)), Heitz 2014, eq. 99.
+/// The weight is G2(wo, wi) / G1(wo) and, if the sampling is bounded, times the share of the visible area that it
+/// leaves.
+template <bool separable>
+struct Smith {
+  /// Refraction is masked otherwise than reflection.
+  static constexpr bool kTellsSides = true;
+
+  /// |A wi|.
+  template <class F>
+  using Shadowing = F;
+  template <class F, class Shape>
+  static VNDF_INLINE F shadowing(const Vec3<F>& wi, const Shape& shape) {
+    return stretched_length(wi, shape);
+  }
+
+  template <class F>
+  static VNDF_INLINE F weight(const SeenView<F>& view, F wi_z, F length_i) {
+    if constexpr (separable)
+      return at_most_one(((wi_z + wi_z) * view.area) / ((wi_z + length_i) * (view.z + view.length)));
+    else
+      return at_most_one((wi_z * view.area) / (wi_z * view.length + length_i * view.z));
+  }
+};
+constexpr Smith<false> kHeightCorrelated;
+constexpr Smith<true> kSeparable;
+
+/// The lunes of an ellipsoid (Walter et al. 2015).
+///
+/// G = G1(wo) G1(wi), eq. 5, with G1(v) = min(1, 2 v.z / (|A v| + (A v).z)), eq. 6. Leaning ellipsoids can show less
+/// than the surface that they stand for; the minimum keeps G1 plausible.
+struct Lunes {
+  /// The light's side does not matter: it is turned to the view's.
+  static constexpr bool kTellsSides = false;
+
+  /// G1(wi) as a quotient of two positive numbers.
+  template <class F>
+  struct Shadowing {
+    F numerator, denominator;
+  };
+  template <class F, class Shape>
+  static VNDF_INLINE Shadowing<F> shadowing(const Vec3<F>& wi, const Shape& shape) {
+    Vec3<F> h = stretch(wi, shape);
+    F l2 = h.x * h.x + h.y * h.y;
+    F sum = op::sqrt(l2 + h.z * h.z) + op::abs(h.z);
+    auto below = h.z < F(0.f);  // where |h| + h.z = l2 / sum
+    F whole = wi.z + wi.z;
+    whole = op::select(below, whole * sum, whole);
+    F area = op::select(below, l2, sum);
+    return {op::from_bits(op::min(op::bits(whole), op::bits(area))), area};
+  }
+
+  /// Eq. 50: G1(wo) G1(wi) area / (2 wo.z), which is min(1, area / (2 wo.z)) G1(wi). Each is a quotient of a smaller
+  /// number and a larger one, and one division takes both, so that it exceeds 1 by no rounding. The minimum and the
+  /// maximum are those of bits, for positive numbers; what the others give is not used.
+  template <class F>
+  static VNDF_INLINE F weight(const SeenView<F>& view, F, const Shadowing<F>& light) {
+    F larger = op::from_bits(op::max(op::bits(view.area), op::bits(view.z + view.z)));
+    return at_most_one((view.area * light.numerator) / (larger * light.denominator));
+  }
+};
+constexpr Lunes kLunes;
+
+}  // namespace VNDF_LANES_BUILD
+}  // namespace vndf::lanes

@@ -1,0 +1,70 @@
+// What the public functions share on their way to their kernels.
+#pragma once
+
+#include <cassert>
+#include <cstdint>
+
+#include "../kernel_tables.h"
+
+namespace vndf {
+
+/// The row of the set in use, in the order of isa_rows.h.
+std::size_t active_row() noexcept;
+
+/// The shape of an ellipsoid of five constants: make_shape.cpp.
+Shape shape_of(const Ellipsoid& constants) noexcept;
+
+/// The kernel of an enumerator, which must be one.
+template <class Kernel, std::size_t N, class Enum>
+const Kernel& of(const Kernel (&kernels)[N], Enum which) noexcept {
+  assert(static_cast<std::size_t>(which) < N);
+  return kernels[static_cast<std::size_t>(which)];
+}
+
+/// A count that columns of floats can have, and columns to write it to.
+template <class... Columns>
+void expect_written([[maybe_unused]] std::size_t count, [[maybe_unused]] Columns... columns) noexcept {
+  assert(count <= PTRDIFF_MAX / sizeof(float));
+  assert(count == 0 || (columns && ...));
+}
+inline void expect_written(std::size_t count, const Out3& out) noexcept {
+  expect_written(count, out.x, out.y, out.z);
+}
+inline void expect_written(std::size_t count, const Evaluations& out) noexcept {
+  expect_written(count, out.f_cos, out.pdf);
+}
+
+inline bool constant(const Column& column) {
+  return !column.data;
+}
+inline bool zero(const Column& column) {
+  return constant(column) && column.value == 0;
+}
+
+/// Calls the cheapest kernel for the surface.
+template <class In, class Out, std::size_t kMaskings>
+void call(const BySurface<In, Out, kMaskings>& kernels, std::size_t count, const In& in, const Columns2& alpha,
+          const Out& out, Masking masking = Masking::height_correlated) noexcept {
+  of(kernels.alpha, masking)(count, in, alpha, out);
+}
+template <class In, class Out, std::size_t kMaskings>
+void call(const BySurface<In, Out, kMaskings>& kernels, std::size_t count, const In& in, const Ellipsoid& e,
+          const Out& out) noexcept {
+  bool turned = zero(e.theta_x) && zero(e.theta_y);
+  if (turned && zero(e.theta_z))
+    kernels.alpha[kMaskings - 1](count, in, e.alpha, out);  // separable is what eq. 6 of Walter et al. 2015 becomes
+  else if (constant(e.alpha.x) && constant(e.alpha.y) && constant(e.theta_x) && constant(e.theta_y) &&
+           constant(e.theta_z))
+    kernels.matrix(count, in, {shape_of(e), nullptr}, out);
+  else if (turned)
+    kernels.turned(count, in, e, out);
+  else
+    kernels.matrix(count, in, {Shape(), &e}, out);
+}
+template <class In, class Out, std::size_t kMaskings>
+void call(const BySurface<In, Out, kMaskings>& kernels, std::size_t count, const In& in, const Shape& shape,
+          const Out& out) noexcept {
+  kernels.matrix(count, in, {shape, nullptr}, out);
+}
+
+}  // namespace vndf

@@ -1,0 +1,107 @@
+// How a kernel walks its columns.
+//
+// A kernel is a struct of named columns, with
+//   inputs(f), outputs(f)   f of each column
+//   prepare(n)              what a surface works out before a block of n lanes
+//   at<F>(i)                loads F from the inputs at lane i, computes, and stores; no output before the last input,
+//   over
+//                           which it may lie
+#pragma once
+
+#include "columns.h"
+
+namespace {
+
+/// Batches of this many lanes are written past the caches where their columns are aligned for it: their columns are
+/// larger than a core's share of any last-level cache, and a line that is only written need not be read first.
+constexpr std::size_t kStreaming = std::size_t(1) << 20;
+
+/// The columns of a kernel, and how it is run over n lanes, whole vectors.
+struct Walk {
+  InColumn* in[16];
+  OutColumn* out[16];
+  std::size_t ins = 0, outs = 0;
+  std::size_t lanes;  // of a block, at most
+  void (*block)(const void* kernel, std::size_t n);
+  const void* kernel;
+};
+
+/// A block of each column, where the column of the call will not do.
+using Buffers = float[16][kBlock];
+
+/// A batch that is written past the caches: a kernel writes its blocks to buffers, from where each column goes out line
+/// after line.
+__attribute__((noinline)) void walk_streaming(std::size_t count, const Walk& w, Buffers& buffers) {
+  for (std::size_t begin = 0, n; begin < count; begin += n) {
+    n = count - begin < w.lanes ? count - begin : w.lanes;
+    for (std::size_t c = 0; c < w.ins; ++c) w.in[c]->move_to(begin);
+    for (std::size_t c = 0; c < w.outs; ++c) w.out[c]->stand_at(buffers[c]);
+    w.block(w.kernel, n);
+    for (std::size_t c = 0; c < w.outs; ++c)
+      for (std::size_t i = 0; i < n && w.out[c]->wanted(); i += kWidth)
+        op::stream(op::load<Vector>(buffers[c] + i), w.out[c]->given() + begin + i);
+  }
+  op::finish_streaming();
+}
+
+/// Block after block. A constant is a column that stays where it is, a block long. What is left of a vector is a block
+/// by itself, of copies. One function for all kernels of an object.
+__attribute__((noinline)) void walk(std::size_t count, const Walk& w) {
+  alignas(64) Buffers in, out;
+  bool aligned = true;
+  for (std::size_t c = 0; c < w.outs; ++c)
+    aligned &= reinterpret_cast<std::uintptr_t>(w.out[c]->given()) % sizeof(Vector) == 0;
+  for (std::size_t c = 0; c < w.ins; ++c) {
+    if (w.in[c]->given().data) continue;
+    for (std::size_t i = 0; i < w.lanes && i < count; i += kWidth) op::store(Vector(w.in[c]->given().value), in[c] + i);
+    w.in[c]->stand_at(in[c]);
+  }
+
+  const std::size_t rest = count % kWidth, whole = count - rest;
+  std::size_t begin = 0;
+  if (count >= kStreaming && aligned) {
+    walk_streaming(whole, w, out);
+    begin = whole;
+  }
+  for (std::size_t n; begin < whole; begin += n) {
+    n = whole - begin < w.lanes ? whole - begin : w.lanes;
+    for (std::size_t c = 0; c < w.ins; ++c) w.in[c]->move_to(begin);
+    for (std::size_t c = 0; c < w.outs; ++c) w.out[c]->stand_at(w.out[c]->given() + begin);
+    w.block(w.kernel, n);
+  }
+  if (rest) {
+    for (std::size_t c = 0; c < w.ins; ++c)
+      if (const float* data = w.in[c]->given().data) {
+        op::store(op::load_first<Vector>(data + whole, rest), in[c]);
+        w.in[c]->stand_at(in[c]);
+      }
+    for (std::size_t c = 0; c < w.outs; ++c) w.out[c]->stand_at(out[c]);
+    w.block(w.kernel, kWidth);
+    for (std::size_t c = 0; c < w.outs; ++c)
+      if (w.out[c]->wanted()) op::store_first(op::load<Vector>(out[c]), w.out[c]->given() + whole, rest);
+  }
+}
+
+/// K vectors at once, so that K chains of dependent operations overlap, then one at a time.
+template <int K, class Kernel>
+void run_block(const void* pointer, std::size_t n) {
+  const Kernel kernel = *static_cast<const Kernel*>(pointer);
+  kernel.prepare(n);
+  std::size_t i = 0;
+  if constexpr (K > 1)
+    for (; i + K * kWidth <= n; i += K * kWidth) kernel.template at<lanes::Many<Vector, K>>(i);
+  for (; i < n; i += kWidth) kernel.template at<Vector>(i);
+}
+
+template <int K, class Kernel>
+VNDF_INLINE void run(std::size_t count, Kernel& kernel) {
+  Walk w;
+  kernel.inputs([&](InColumn& in) { w.in[w.ins++] = &in; });
+  kernel.outputs([&](OutColumn& out) { w.out[w.outs++] = &out; });
+  w.lanes = kBlock / (K * kWidth) * (K * kWidth);
+  w.block = run_block<K, Kernel>;
+  w.kernel = &kernel;
+  walk(count, w);
+}
+
+}  // namespace
