@@ -3,15 +3,15 @@
 // never run.
 #include <vndf/lanes.h>
 
-namespace {
-
-using namespace vndf::lanes;
-using F = Many<VNDF_BATCH, VNDF_VECTORS>;
-
 struct Columns {
   const float *wo_x, *wo_y, *wo_z, *alpha_x, *alpha_y, *u1, *u2;
   float *x, *y, *z, *pdf, *weight;
 };
+
+namespace {
+
+using namespace vndf::lanes;
+using F = Many<VNDF_BATCH, VNDF_VECTORS>;
 
 VNDF_INLINE Vec3<F> wo(const Columns& c, std::size_t i) {
   return {op::load<F>(c.wo_x + i), op::load<F>(c.wo_y + i), op::load<F>(c.wo_z + i)};
