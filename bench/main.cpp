@@ -5,7 +5,6 @@
 // time_per_sample (in seconds; the console shows nanoseconds).
 #include <benchmark/benchmark.h>
 
-#include <cstdio>
 #include <cstring>
 #include <functional>
 #include <map>
@@ -16,8 +15,10 @@
 #include <vndf/ellipsoid.h>
 #include <vndf/vndf.h>
 
+#include "command_line.h"
 #include "inputs.h"
 #include "peers.h"
+#include "warps.h"
 
 // One line per instruction set of the library: VNDF_COPY(isa).
 using CopyFunction = void(std::size_t count, const float* const in[7], float* const out[3]);
@@ -184,34 +185,26 @@ std::vector<Operation> operations() {
       all.push_back({std::string(peer.name) + "/" + peer.warp + "/" + peer.isa, nullptr, 10, columns(peer.sample)});
   for (const vndf::Isa& isa : vndf::isas()) {
     if (!isa.supported) continue;
-    auto add = [&](const char* name, int columns, Call call) {
-      all.push_back({std::string(name) + "/" + isa.name, isa.name, columns, std::move(call)});
+    auto add = [&](const std::string& name, int columns, Call call) {
+      all.push_back({name + "/" + isa.name, isa.name, columns, std::move(call)});
     };
-    const struct {
-      vndf::Warp warp;
-      const char* name;
-    } warps[] = {{vndf::Warp::polar, "polar"},
-                 {vndf::Warp::concentric, "concentric"},
-                 {vndf::Warp::spherical_cap, "spherical_cap"}};
-    for (auto [warp, name] : warps) add(("sample_normals/" + std::string(name)).c_str(), 10, sample_normals(warp));
+    for (auto [warp, name] : bench::kWarps) add(std::string("sample_normals/") + name, 10, sample_normals(warp));
     for (const EllipsoidKind& kind : kEllipsoids) {
       std::string suffix = std::string("_") + kind.name + "/";
-      for (auto [warp, name] : warps) {
-        add(("sample_normals" + suffix + name).c_str(), 8 + kind.columns, sample_normals(warp, kind));
-        add(("sample_reflection" + suffix + name).c_str(), 10 + kind.columns, sample_reflection(warp, kind));
+      for (auto [warp, name] : bench::kWarps) {
+        add("sample_normals" + suffix + name, 8 + kind.columns, sample_normals(warp, kind));
+        add("sample_reflection" + suffix + name, 10 + kind.columns, sample_reflection(warp, kind));
       }
-      add(("evaluate_reflection" + suffix + "none").c_str(), 8 + kind.columns, evaluate_reflection(kind));
+      add("evaluate_reflection" + suffix + "none", 8 + kind.columns, evaluate_reflection(kind));
     }
     add("sample_disk/polar", 4, sample_disk(vndf::DiskMap::polar));
     add("sample_disk/concentric", 4, sample_disk(vndf::DiskMap::concentric));
-    for (auto [warp, name] : warps)
-      add(("sample_reflection/" + std::string(name)).c_str(), 12, sample_reflection(warp));
+    for (auto [warp, name] : bench::kWarps) add(std::string("sample_reflection/") + name, 12, sample_reflection(warp));
     add("sample_reflection_bounded/spherical_cap", 12, sample_reflection(vndf::Warp::spherical_cap, true));
     add("separate_reflection/polar", 12, separate_reflection(vndf::Warp::polar));
     add("evaluate_reflection/none", 10, evaluate_reflection());
     add("pdf_normals/none", 9, pdf_normals());
-    for (auto [warp, name] : warps)
-      add(("sample_dielectric/" + std::string(name)).c_str(), 14, sample_dielectric(warp));
+    for (auto [warp, name] : bench::kWarps) add(std::string("sample_dielectric/") + name, 14, sample_dielectric(warp));
     add("evaluate_dielectric/none", 10, evaluate_dielectric());
   }
 #define VNDF_COPY(isa)                                                                   \
@@ -247,26 +240,38 @@ void register_benchmarks() {
   benchmark::RegisterBenchmark(name.c_str(), two_threads)->Threads(2)->UseRealTime();
 }
 
-/// Google Benchmark answers a value it does not know with its usage and success; this program fails.
-const char* unknown_choice(int argc, char** argv) {
-  for (int i = 1; i < argc; ++i)
-    for (const char* flag : {"--benchmark_format=", "--benchmark_out_format="})
-      if (std::strncmp(argv[i], flag, std::strlen(flag)) == 0) {
-        const char* value = argv[i] + std::strlen(flag);
-        if (std::strcmp(value, "console") && std::strcmp(value, "json") && std::strcmp(value, "csv")) return argv[i];
-      }
-  return nullptr;
+constexpr char kFooter[] =
+    R"(Benchmarks are named <operation>/<warp>/<isa>/<input>/<count>. The options are Google Benchmark's:
+  --benchmark_list_tests                          names, and nothing is run
+  --benchmark_filter=REGEX                        those whose names match; -REGEX: the others
+  --benchmark_min_time=SECONDS                    of one repetition
+  --benchmark_repetitions=N                       with --benchmark_report_aggregates_only for medians alone
+  --benchmark_enable_random_interleaving=true     repetitions of all benchmarks in random order
+  --benchmark_out=FILE                            results as a file as well
+and all others that it has.)";
+
+/// What the report says of sets that are missing in the results.
+void tell_isas() {
+  for (const vndf::Isa& isa : vndf::isas())
+    benchmark::AddCustomContext(std::string("isa/") + isa.name, isa.supported ? "supported" : "unsupported");
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (const char* argument = unknown_choice(argc, argv)) {
-    std::fprintf(stderr, "%s: error: neither console, json nor csv: %s\n", argv[0], argument);
-    return 2;
-  }
+  CLI::App app("Throughput of the library, its peers and a plain copy, in samples per second.", "vndf_bench");
+  app.footer(kFooter);
+  // These two are read here because Google Benchmark answers a value it does not know with its usage and success.
+  std::string format;
+  for (const char* option : {"--benchmark_format", "--benchmark_out_format"})
+    app.add_option(option, format, "of the console or of the file")->check(CLI::IsMember({"console", "json", "csv"}));
+  app.allow_extras();
+  bench::parse(app, argc, argv);
   benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  app.allow_extras(false);  // what is left now is known to neither
+  bench::parse(app, argc, argv);
+
+  tell_isas();
   register_benchmarks();
   if (benchmark::RunSpecifiedBenchmarks() == 0) return 2;  // it has said that the filter matches nothing
   benchmark::Shutdown();

@@ -1,7 +1,8 @@
 #!/bin/sh
 # Installs what vndf builds with on Debian and Ubuntu; elsewhere says what to install. Does nothing where all is there.
 set -e
-packages="g++ cmake ninja-build libxsimd-dev libgtest-dev libbenchmark-dev python3-matplotlib"
+packages="g++ cmake ninja-build libxsimd-dev libgtest-dev libbenchmark-dev libcli11-dev nlohmann-json3-dev
+  python3-matplotlib python3-pandas python3-jinja2"
 
 if ! command -v apt-get >/dev/null; then
   cat >&2 <<'END'
@@ -10,7 +11,9 @@ This script installs Debian and Ubuntu packages only. Please install, by your sy
   xsimd 8.1 to 14 (header-only)   https://github.com/xtensor-stack/xsimd
   GoogleTest                      https://github.com/google/googletest
   Google Benchmark                https://github.com/google/benchmark
-  Python 3 with matplotlib (for the report)
+  CLI11                           https://github.com/CLIUtils/CLI11
+  nlohmann/json                   https://github.com/nlohmann/json
+  Python 3.10 with matplotlib, pandas and Jinja2 (for the report)
 END
   exit 2
 fi

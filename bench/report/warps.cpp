@@ -1,96 +1,81 @@
 // vndf_warps: the unit square, as a checker and as a point set, warped into the plane of slopes by each map.
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include <vndf/vndf.h>
 
-#include "arguments.h"
+#include "command_line.h"
+#include "output.h"
 #include "peers.h"
+#include "warps.h"
 
 namespace {
 
 using namespace vndf;
+using report::Json;
 
-struct Point {
-  float x, y;
-};
+using Point = std::array<float, 2>;
 
-/// Unit square to slopes (-wm.x / wm.z, -wm.y / wm.z), for a view `degrees` from the normal and leaning towards +x,
-/// alpha = 1.
-using Map = std::function<std::vector<Point>(const std::vector<Point>& square, double degrees)>;
+/// The columns of peers.h.
+using Sample = std::function<void(std::size_t count, const float* const in[7], float* const out[3])>;
 
-struct NamedMap {
+struct Map {
   std::string name;
-  Map map;
+  Sample sample;
 };
 
-/// The columns are laid out once for every map.
-struct Columns {
-  std::vector<float> values[10];
-  const float* in[7];
-  float* out[3];
-
-  Columns(const std::vector<Point>& square, double degrees) {
-    double radians = degrees * 3.14159265358979323846 / 180;
-    const float constant[5] = {float(std::sin(radians)), 0.f, float(std::cos(radians)), 1.f, 1.f};
-    for (int column = 0; column < 5; ++column) values[column].assign(square.size(), constant[column]);
-    for (const Point& u : square) {
-      values[5].push_back(u.x);
-      values[6].push_back(u.y);
-    }
-    for (int column = 7; column < 10; ++column) values[column].resize(square.size());
-    for (int column = 0; column < 7; ++column) in[column] = values[column].data();
-    for (int column = 0; column < 3; ++column) out[column] = values[7 + column].data();
+std::vector<Map> maps() {
+  std::vector<Map> maps;
+  for (auto [warp, name] : bench::kWarps) {
+    maps.push_back(
+        {name, [warp = warp](std::size_t count, const float* const in[7], float* const out[3]) {
+           sample_normals(warp, count, {in[0], in[1], in[2]}, {in[3], in[4]}, {in[5], in[6]}, {out[0], out[1], out[2]});
+         }});
   }
-
-  std::vector<Point> slopes() const {
-    // Horizontal normals have infinite slopes: drawn far outside every window instead.
-    constexpr float kFar = 200;
-    std::vector<Point> points;
-    for (std::size_t i = 0; i < values[7].size(); ++i) {
-      float x = -out[0][i], y = -out[1][i], z = out[2][i];
-      float horizontal = std::hypot(x, y);
-      float scale = horizontal > kFar * z ? kFar / horizontal : 1 / z;
-      points.push_back({x * scale, y * scale});
-    }
-    return points;
-  }
-};
-
-std::vector<NamedMap> maps() {
-  auto ours = [](Warp warp) {
-    return [warp](const std::vector<Point>& square, double degrees) {
-      Columns columns(square, degrees);
-      const float* const* in = columns.in;
-      sample_normals(warp, square.size(), {in[0], in[1], in[2]}, {in[3], in[4]}, {in[5], in[6]},
-                     {columns.out[0], columns.out[1], columns.out[2]});
-      return columns.slopes();
-    };
-  };
-  std::vector<NamedMap> maps = {{"polar", ours(Warp::polar)},
-                                {"concentric", ours(Warp::concentric)},
-                                {"spherical_cap", ours(Warp::spherical_cap)}};
   for (const peers::Peer& peer : peers::peers()) {
     // Those whose parameterisation is not one of the library's and that sample the same normals.
     if (!peer.supported || std::string(peer.warp) != "own" || std::string(peer.operation) != "sample_normals") continue;
     // Another way to compute a map that is there: the same picture.
     if (std::string(peer.name).rfind(maps.back().name + "_", 0) == 0) continue;
-    maps.push_back({peer.name, [&peer](const std::vector<Point>& square, double degrees) {
-                      Columns columns(square, degrees);
-                      peer.sample(square.size(), columns.in, columns.out);
-                      return columns.slopes();
-                    }});
+    maps.push_back({peer.name, peer.sample});
   }
   return maps;
 }
 
+/// Unit square to slopes (-wm.x / wm.z, -wm.y / wm.z), for a view `degrees` from the normal and leaning towards +x,
+/// alpha = 1.
+std::vector<Point> warped(const Map& map, const std::vector<Point>& square, double degrees) {
+  double radians = degrees * 3.14159265358979323846 / 180;
+  const float constant[5] = {float(std::sin(radians)), 0.f, float(std::cos(radians)), 1.f, 1.f};
+  std::vector<float> columns[10];
+  for (int column = 0; column < 10; ++column) columns[column].assign(square.size(), column < 5 ? constant[column] : 0);
+  for (std::size_t i = 0; i < square.size(); ++i) {
+    columns[5][i] = square[i][0];
+    columns[6][i] = square[i][1];
+  }
+  float* at[10];
+  for (int column = 0; column < 10; ++column) at[column] = columns[column].data();
+  map.sample(square.size(), at, at + 7);
+
+  // Horizontal normals have infinite slopes: drawn far outside every window instead.
+  constexpr float kFar = 200;
+  std::vector<Point> slopes;
+  for (std::size_t i = 0; i < square.size(); ++i) {
+    float x = -columns[7][i], y = -columns[8][i], z = columns[9][i];
+    float horizontal = std::hypot(x, y);
+    float scale = horizontal > kFar * z ? kFar / horizontal : 1 / z;
+    slopes.push_back({x * scale, y * scale});
+  }
+  return slopes;
+}
+
 /// The ends of the square are where some peers divide by 0: a hair inside.
 Point inside(double x, double y) {
-  auto clamp = [](double v) { return float(std::fmin(std::fmax(v, 1e-6), 1 - 1e-6)); };
-  return {clamp(x), clamp(y)};
+  return {float(std::clamp(x, 1e-6, 1 - 1e-6)), float(std::clamp(y, 1e-6, 1 - 1e-6))};
 }
 
 /// The outlines of the dark cells of an n x n checker, `steps` points a side.
@@ -124,24 +109,21 @@ std::vector<Point> point_set(int count) {
   return points;
 }
 
-bool finite(const std::vector<Point>& points) {
-  for (const Point& p : points) {
-    if (!std::isfinite(p.x) || !std::isfinite(p.y)) return false;
-  }
-  return true;
+bool finite(const Point& point) {
+  return std::isfinite(point[0]) && std::isfinite(point[1]);
 }
 
 /// Appends what of (from, to] is needed to stay within a hair of all points between, seen from the distance at which a
 /// figure is drawn: the outer parts of the plane are shown smaller or not at all.
 void simplify(const std::vector<Point>& points, std::size_t from, std::size_t to, std::vector<Point>& out) {
   Point a = points[from], b = points[to];
-  double dx = double(b.x) - a.x, dy = double(b.y) - a.y, length = std::hypot(dx, dy);
+  double dx = double(b[0]) - a[0], dy = double(b[1]) - a[1], length = std::hypot(dx, dy);
   std::size_t farthest = from;
   double largest = 1;
   for (std::size_t i = from + 1; i < to; ++i) {
-    double px = double(points[i].x) - a.x, py = double(points[i].y) - a.y;
+    double px = double(points[i][0]) - a[0], py = double(points[i][1]) - a[1];
     double off = length > 0 ? std::fabs(px * dy - py * dx) / length : std::hypot(px, py);
-    off /= 0.003 * (1 + std::hypot(points[i].x, points[i].y));
+    off /= 0.003 * (1 + std::hypot(points[i][0], points[i][1]));
     if (off > largest) {
       largest = off;
       farthest = i;
@@ -155,61 +137,44 @@ void simplify(const std::vector<Point>& points, std::size_t from, std::size_t to
   }
 }
 
-void write(std::FILE* file, const std::vector<Point>& points) {
-  const char* separator = "[";
-  for (const Point& p : points) {
-    if (!std::isfinite(p.x) || !std::isfinite(p.y)) continue;
-    std::fprintf(file, "%s[%.4g,%.4g]", separator, p.x, p.y);
-    separator = ",";
+Json warped_points(const Map& map, int count, double degrees) {
+  Json points = Json::array();
+  for (const Point& point : warped(map, point_set(count), degrees)) {
+    if (finite(point)) points.push_back(point);
   }
-  std::fputs(*separator == '[' ? "[]" : "]", file);
+  return points;
 }
 
-constexpr char kHelp[] =
-    R"(vndf_warps: a checker and a point set of the unit square, warped into slope space by each map
-
-  --points N   points of the set (default 512)
-  --out FILE   where the JSON goes (default -, standard output)
-)";
+Json warped_checker(const Map& map, double degrees) {
+  Json cells = Json::array();
+  for (const std::vector<Point>& cell : checker(12, 48)) {
+    std::vector<Point> all = warped(map, cell, degrees);
+    if (!std::all_of(all.begin(), all.end(), finite)) continue;
+    all.push_back(all.front());
+    std::vector<Point> outline = {all.front()};
+    simplify(all, 0, all.size() - 1, outline);
+    cells.push_back(outline);
+  }
+  return cells;
+}
 
 }  // namespace
 
 int main(int argc, char** argv) {
   int points = 512;
-  std::string out = "-";
-  report::Arguments arguments(argc, argv);
-  while (arguments.more()) {
-    if (arguments.common(kHelp, out)) continue;
-    if (arguments.is("--points")) {
-      points = int(arguments.number(1, 1 << 20));
-    } else {
-      arguments.unknown();
-    }
-  }
+  CLI::App app("A checker and a point set of the unit square, warped into slope space by each map.", "vndf_warps");
+  report::Output output(app);
+  bench::add_number(app, "--points", points, "of the set", 1, 1 << 20);
+  bench::parse(app, argc, argv);
 
-  std::FILE* file = report::open_output(out);
-  std::fputs("{\"maps\": [", file);
-  const char* separator = "\n";
-  for (const NamedMap& map : maps()) {
+  Json document;
+  for (const Map& map : maps()) {
     for (double degrees : {0., 45., 75., 88.}) {
-      std::fprintf(file, "%s{\"map\": \"%s\", \"degrees\": %g,\n\"points\": ", separator, map.name.c_str(), degrees);
-      write(file, map.map(point_set(points), degrees));
-      std::fputs(",\n\"checker\": [", file);
-      separator = "\n";
-      for (const std::vector<Point>& cell : checker(12, 48)) {
-        std::vector<Point> warped = map.map(cell, degrees);
-        if (!finite(warped)) continue;
-        warped.push_back(warped.front());
-        std::vector<Point> outline = {warped.front()};
-        simplify(warped, 0, warped.size() - 1, outline);
-        std::fputs(separator, file);
-        write(file, outline);
-        separator = ",\n";
-      }
-      std::fputs("]}", file);
-      separator = ",\n";
+      document["maps"].push_back({{"map", map.name},
+                                  {"degrees", degrees},
+                                  {"points", warped_points(map, points, degrees)},
+                                  {"checker", warped_checker(map, degrees)}});
     }
   }
-  std::fputs("\n]}\n", file);
-  report::close_output(file, out);
+  output.write(document);
 }
