@@ -2,7 +2,6 @@
 // samplers throw away, and the density of visible normals over the hemisphere.
 #include <cmath>
 #include <cstdio>
-#include <mutex>
 #include <string>
 #include <vector>
 
@@ -12,7 +11,6 @@
 #include "ellipsoid/cases.h"
 #include "ellipsoid/rejection.h"
 #include "error_row.h"
-#include "in_parallel.h"
 #include "output.h"
 #include "reference/errors.h"
 #include "warps.h"
@@ -146,28 +144,12 @@ Json measure_density(const Setting& setting, int size) {
   return line;
 }
 
-// --- Progress --------------------------------------------------------------------------------------------------------
-
-void show_errors(const Json& ellipsoid, const Json& plain) {
-  auto eps = [](const Json& row, const char* key) { return row[key].get<double>(); };
-  std::fprintf(stderr, "ellipsoid %-13s %-21s mean %6.2f  p99.9 %6.1f  max %6.1f eps, plain %6.2f %6.1f %6.1f\n",
-               ellipsoid["warp"].get<std::string>().c_str(), ellipsoid["row"].get<std::string>().c_str(),
-               eps(ellipsoid, "mean_eps"), eps(ellipsoid, "p999_eps"), eps(ellipsoid, "max_eps"),
-               eps(plain, "mean_eps"), eps(plain, "p999_eps"), eps(plain, "max_eps"));
-}
-
-void show_rejection(const Json& line) {
-  std::fprintf(stderr, "ellipsoid %-39s rejected: %5.1f %% by version 1, %5.1f %% by version 2, none by 3\n",
-               line["name"].get<std::string>().c_str(), 100 * line["rejected"][0].get<double>(),
-               100 * line["rejected"][1].get<double>());
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
   std::size_t samples = std::size_t(1) << 15, kept = std::size_t(1) << 16;
   int size = 192;
-  unsigned threads = report::default_threads();
+  unsigned threads = report::cores();
   CLI::App app("Errors of the ellipsoid NDF, what samplers by rejection reject, and densities to be drawn.",
                "vndf_ellipsoid");
   report::Output output(app);
@@ -180,19 +162,18 @@ int main(int argc, char** argv) {
   const std::vector<Case> rows = cases();
   const std::size_t warps = std::size(bench::kWarps);
   std::vector<Json> errors(rows.size() * warps), rejections(kRejecting.size());
-  std::mutex terminal;
-  report::in_parallel(errors.size() + rejections.size(), threads, [&](std::size_t task) {
+  const std::size_t tasks = errors.size() + rejections.size();
+  std::size_t done = 0;
+#pragma omp parallel for schedule(dynamic) num_threads(threads)
+  for (std::size_t task = 0; task < tasks; ++task) {
     if (task < errors.size()) {
-      Json& pair = errors[task] = measure_errors(rows[task / warps], bench::kWarps[task % warps], samples);
-      std::lock_guard<std::mutex> lock(terminal);
-      show_errors(pair[0], pair[1]);
+      errors[task] = measure_errors(rows[task / warps], bench::kWarps[task % warps], samples);
     } else {
-      task -= errors.size();
-      rejections[task] = measure_rejection(kRejecting[task], kept);
-      std::lock_guard<std::mutex> lock(terminal);
-      show_rejection(rejections[task]);
+      rejections[task - errors.size()] = measure_rejection(kRejecting[task - errors.size()], kept);
     }
-  });
+#pragma omp critical
+    std::fprintf(stderr, "ellipsoid %zu/%zu\n", ++done, tasks);
+  }
 
   Json document{{"row_notes", {}}, {"errors", Json::array()}, {"rejections", rejections}};
   for (const Case& row : rows) document["row_notes"][row.inputs.name] = row.inputs.description;

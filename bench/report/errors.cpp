@@ -1,12 +1,10 @@
 // vndf_errors: how far the library's normals and its peers' are from the exact ones, for every hard case.
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <functional>
 #include <map>
-#include <mutex>
 #include <string>
 #include <vector>
 
@@ -14,7 +12,6 @@
 
 #include "command_line.h"
 #include "error_row.h"
-#include "in_parallel.h"
 #include "output.h"
 #include "peers.h"
 #include "reference/errors.h"
@@ -162,30 +159,17 @@ std::vector<Json> measure_peers(const HardCase& hard_case, std::size_t samples) 
   return rows;
 }
 
-void show(const Json& row) {
-  auto text = [&](const char* key) { return row[key].get<std::string>(); };
-  auto eps = [&](const char* key) { return row[key].get<double>(); };
-  std::fprintf(stderr, "  %-22s %-13s %-7s %-25s mean %9.3g  p99.9 %9.3g  max %9.3g eps",
-               text("implementation").c_str(), text("warp").c_str(), text("isa").c_str(), text("row").c_str(),
-               eps("mean_eps"), eps("p999_eps"), eps("max_eps"));
-  if (!row["ratio"].is_null()) std::fprintf(stderr, "  ratio %.6g", eps("ratio"));
-  std::fputs(row["nonfinite"] > 0 ? "  (not all finite)\n" : "\n", stderr);
-}
-
 using Task = std::function<std::vector<Json>()>;
 
 Json run(const std::vector<Task>& tasks, unsigned threads) {
   std::vector<std::vector<Json>> results(tasks.size());
   std::size_t done = 0;
-  std::mutex terminal;
-  report::in_parallel(tasks.size(), threads, [&](std::size_t task) {
-    auto start = std::chrono::steady_clock::now();
+#pragma omp parallel for schedule(dynamic) num_threads(threads)
+  for (std::size_t task = 0; task < tasks.size(); ++task) {
     results[task] = tasks[task]();
-    std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    std::lock_guard<std::mutex> lock(terminal);
-    std::fprintf(stderr, "errors %zu/%zu, %.1f s\n", ++done, tasks.size(), seconds.count());
-    for (const Json& row : results[task]) show(row);
-  });
+#pragma omp critical
+    std::fprintf(stderr, "errors %zu/%zu\n", ++done, tasks.size());
+  }
   Json rows = Json::array();
   for (const auto& result : results) {
     for (const Json& row : result) rows.push_back(row);
@@ -197,7 +181,7 @@ Json run(const std::vector<Task>& tasks, unsigned threads) {
 
 int main(int argc, char** argv) {
   std::size_t samples = std::size_t(1) << 22, peer_samples = std::size_t(1) << 17;
-  unsigned threads = report::default_threads();
+  unsigned threads = report::cores();
   std::string only;
   std::vector<std::string> names;
   for (const HardCase& hard_case : hard_cases()) names.push_back(hard_case.name);

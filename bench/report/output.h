@@ -1,11 +1,13 @@
 // Where the report's programs write their JSON.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -17,6 +19,11 @@ namespace report {
 /// seven digits of a float.
 using Json =
     nlohmann::basic_json<nlohmann::ordered_map, std::vector, std::string, bool, std::int64_t, std::uint64_t, float>;
+
+/// How many threads measure unless told otherwise: at most 8, each needs memory.
+inline unsigned cores() {
+  return std::clamp(std::thread::hardware_concurrency(), 1u, 8u);
+}
 
 /// The option --out. The file is opened when the option is read: a path that cannot be written is told at once, not
 /// after minutes.

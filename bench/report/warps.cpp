@@ -113,30 +113,6 @@ bool finite(const Point& point) {
   return std::isfinite(point[0]) && std::isfinite(point[1]);
 }
 
-/// Appends what of (from, to] is needed to stay within a hair of all points between, seen from the distance at which a
-/// figure is drawn: the outer parts of the plane are shown smaller or not at all.
-void simplify(const std::vector<Point>& points, std::size_t from, std::size_t to, std::vector<Point>& out) {
-  Point a = points[from], b = points[to];
-  double dx = double(b[0]) - a[0], dy = double(b[1]) - a[1], length = std::hypot(dx, dy);
-  std::size_t farthest = from;
-  double largest = 1;
-  for (std::size_t i = from + 1; i < to; ++i) {
-    double px = double(points[i][0]) - a[0], py = double(points[i][1]) - a[1];
-    double off = length > 0 ? std::fabs(px * dy - py * dx) / length : std::hypot(px, py);
-    off /= 0.003 * (1 + std::hypot(points[i][0], points[i][1]));
-    if (off > largest) {
-      largest = off;
-      farthest = i;
-    }
-  }
-  if (farthest == from) {
-    out.push_back(b);
-  } else {
-    simplify(points, from, farthest, out);
-    simplify(points, farthest, to, out);
-  }
-}
-
 Json warped_points(const Map& map, int count, double degrees) {
   Json points = Json::array();
   for (const Point& point : warped(map, point_set(count), degrees)) {
@@ -147,13 +123,9 @@ Json warped_points(const Map& map, int count, double degrees) {
 
 Json warped_checker(const Map& map, double degrees) {
   Json cells = Json::array();
-  for (const std::vector<Point>& cell : checker(12, 48)) {
-    std::vector<Point> all = warped(map, cell, degrees);
-    if (!std::all_of(all.begin(), all.end(), finite)) continue;
-    all.push_back(all.front());
-    std::vector<Point> outline = {all.front()};
-    simplify(all, 0, all.size() - 1, outline);
-    cells.push_back(outline);
+  for (const std::vector<Point>& cell : checker(12, 24)) {
+    std::vector<Point> outline = warped(map, cell, degrees);
+    if (std::all_of(outline.begin(), outline.end(), finite)) cells.push_back(outline);
   }
   return cells;
 }
