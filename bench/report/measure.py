@@ -1,10 +1,8 @@
 """Runs vndf_bench one input and count after the other, shows what it found, and joins its files into one.
 
-Within one input and count all benchmarks are interleaved in random order, so that the ratios between them are of the same
-minutes of the same machine. Google Benchmark prints nothing until all of those are done, hence the pieces.
+All benchmarks of one input and count are interleaved in random order: their ratios are of the same minutes of
+the same machine. Google Benchmark prints nothing until all of those are done, hence the pieces.
 """
-
-from __future__ import annotations
 
 import argparse
 import json
@@ -15,42 +13,36 @@ import time
 from pathlib import Path
 from typing import Any
 
-from results import ROOFLINE, Speed, plain_of, read_speeds, unique
+import pandas as pd
 
-# Batch sizes between the large and the small serve one plot: one input does, and no peers but the listing.
-MAIN_COUNTS = ("4096", "4194304")
-CURVE = r"^(sample_[^/]*|copy|paper_listing)/"
+from tables import read_speeds, split_names
+
+# Batch sizes between the large and the small serve one plot: no peers but the listing.
+MAIN_COUNTS = (4096, 4194304)
+CURVE = r"(?:sample_.*|copy|paper_listing)$"
 # Ellipsoids are compared with plain GGX once.
-ELLIPSOID_PIECE = ("camera", "4096")
+ELLIPSOIDS = "input == 'camera' and count == 4096"
 
 
 def parse_arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--bench", type=Path, required=True, help="the program vndf_bench")
-    parser.add_argument("--out", type=Path, required=True, help="where its results go, in Google Benchmark's JSON")
-    parser.add_argument("--seconds", type=float, default=75, help="the time all of it should take (default 75)")
+    parser.add_argument("--out", type=Path, required=True, help="where its results go, in its JSON")
+    parser.add_argument("--seconds", type=float, default=75, help="that all of it should take (default 75)")
     parser.add_argument("--repetitions", type=int, default=9, help="of which the median counts (default 9)")
-    parser.add_argument("--inputs", default="camera|uniform|camera_unaligned", help="regular expression of the inputs")
+    parser.add_argument("--inputs", default=".*", help="regular expression of the inputs (default: all)")
     return parser.parse_args()
 
 
-def list_names(bench: Path) -> list[str]:
+def in_pieces(bench: Path, inputs: str) -> list[list[str]]:
+    """Names of one input and count, without what no plot or table shows."""
     listed = subprocess.run([bench, "--benchmark_list_tests"], capture_output=True, text=True, check=True)
-    return [name for name in listed.stdout.split("\n") if name.count("/") >= 4]
-
-
-def in_pieces(names: list[str], inputs: str) -> list[list[str]]:
-    """Groups of one input and count, without what no plot or table shows."""
-    pieces: dict[tuple[str, str], list[str]] = {}
-    for name in names:
-        operation, _, _, source, count = name.split("/")[:5]
-        if plain_of(operation):
-            shown = (source, count) == ELLIPSOID_PIECE
-        else:
-            shown = count in MAIN_COUNTS or bool(re.match(CURVE, name))
-        if shown and re.fullmatch(inputs, source):
-            pieces.setdefault((source, count), []).append(name)
-    return [pieces[key] for key in sorted(pieces, key=lambda key: (key[0], int(key[1])))]
+    names = pd.Series(listed.stdout.split())
+    table = split_names(names).assign(name=names)
+    plain = table["shape"] == "plain"
+    curve = table.operation.str.match(CURVE) | table["count"].isin(MAIN_COUNTS)
+    shown = table[(plain & curve | table.eval(ELLIPSOIDS)) & table.input.str.fullmatch(inputs)]
+    return [list(piece.name) for _, piece in shown.groupby(["input", "count"])]
 
 
 def cost(name: str) -> float:
@@ -76,49 +68,33 @@ def run(bench: Path, names: list[str], min_time: float, repetitions: int, out: P
         sys.exit(f"{bench.name} failed:\n{finished.stderr}")
 
 
-def in_order(file: Path, names: list[str]) -> list[dict[str, Any]]:
-    """The results in the order of the names, not in the random one in which they were found."""
-    return sorted(json.loads(file.read_text())["benchmarks"], key=lambda run: names.index(run["run_name"]))
-
-
-def show(speeds: list[Speed]) -> None:
-    """One line per operation and warp, the instruction sets side by side, in million samples per second."""
-    # The roofline is there for every instruction set, slowest first.
-    isas = unique(speed.isa for speed in sorted(speeds, key=lambda speed: speed.operation != ROOFLINE))
-    print(f"  {'M samples/s':<42}" + "".join(f"{isa:>10}" for isa in isas))
-    for operation, warp, source in unique((s.operation, s.warp, s.input) for s in speeds):
-        rates = {s.isa: s.msamples for s in speeds if (s.operation, s.warp, s.input) == (operation, warp, source)}
-        suffix = f" ({source.split('/', 1)[1]})" if "/" in source else ""
-        cells = "".join(f"{rates[isa]:10.1f}" if isa in rates else f"{'-':>10}" for isa in isas)
-        print(f"  {operation + ' ' + warp + suffix:<42}{cells}")
-    if any(speed.operation == ROOFLINE for speed in speeds):
-        print("  copy reads and writes the same columns and computes nothing.")
-
-
 def main() -> None:
     arguments = parse_arguments()
-    pieces = in_pieces(list_names(arguments.bench), arguments.inputs)
+    pieces = in_pieces(arguments.bench, arguments.inputs)
     if not pieces:
         sys.exit(f"{arguments.bench.name} has no benchmark of these inputs")
     # Beside the repetitions, finding the number of iterations takes about as long as two of them.
     units = sum(cost(name) for piece in pieces for name in piece) * (arguments.repetitions + 2)
     min_time = min(0.05, max(0.002, arguments.seconds / units))
     part = arguments.out.with_suffix(".part.json")
-    joined: dict[str, object] = {}
+    context: dict[str, Any] = {}
     runs: list[dict[str, Any]] = []
     start = time.monotonic()
-    for index, names in enumerate(pieces):
+    for index, names in enumerate(pieces, 1):
         source, count = names[0].split("/")[3:5]
-        print(f"\nbench {index + 1}/{len(pieces)}: {source}, {count} samples a call, {len(names)} benchmarks, "
-              f"median of {arguments.repetitions} ({time.monotonic() - start:.0f} s so far)", flush=True)
+        elapsed = f"{time.monotonic() - start:.0f} s so far"
+        print(f"\nbench {index}/{len(pieces)}: {source}, {count} samples a call, {elapsed}", flush=True)
         run(arguments.bench, names, min_time, arguments.repetitions, part)
-        show(read_speeds(in_order(part, names)))
-        joined = joined or {"context": json.loads(part.read_text())["context"]}
-        runs += in_order(part, names)
+        found = json.loads(part.read_text())
+        context = context or found["context"]
+        # In the order of the names, not in the random one in which they were measured.
+        runs += sorted(found["benchmarks"], key=lambda run: names.index(run["run_name"]))
+        speeds = read_speeds(runs[-len(found["benchmarks"]) :])
+        rates = speeds.pivot_table("msamples", ["operation", "warp", "threads"], "isa", sort=False)
+        print(rates.to_string(na_rep="-", float_format="{:.1f}".format), flush=True)
     part.unlink()
-    joined["benchmarks"] = runs
-    arguments.out.write_text(json.dumps(joined, indent=1))
-    print(f"\nbench: {time.monotonic() - start:.0f} s")
+    arguments.out.write_text(json.dumps({"context": context, "benchmarks": runs}, indent=1))
+    print(f"\nbench: {time.monotonic() - start:.0f} s; the numbers are million samples per second")
 
 
 if __name__ == "__main__":

@@ -1,269 +1,182 @@
-"""The figures of the report, each as SVG text."""
+"""The figures of the library beside its peers, each drawn from tables in the colours of the style in use."""
 
-from __future__ import annotations
-
-import json
 import math
-from dataclasses import dataclass
-from pathlib import Path
-from typing import Any, Callable, Iterable, Optional
-
-import theme
-from results import EPS, LISTING, ErrorRow, Measurements, Result, copy_ns, or_worst, unique
+from typing import Iterable
 
 import matplotlib.pyplot as plt
+import numpy as np
+import pandas as pd
 from matplotlib.axes import Axes
-from matplotlib.patches import PathPatch
-from matplotlib.path import Path as Outline
-from matplotlib.ticker import FixedLocator, FuncFormatter, NullFormatter, NullLocator
-from matplotlib.transforms import Bbox
+from matplotlib.axis import Axis
+from matplotlib.collections import PolyCollection
+from matplotlib.figure import Figure
+from matplotlib.ticker import EngFormatter, FixedLocator, FuncFormatter, LogLocator, NullLocator
 
+from tables import EPS, WORST_EPS
+from words import nice
+
+# The colours of style/*.mplstyle by what they stand for; a list's are taken in turn.
+PEER = "C5"
+OF_WARPS = ["C0", "C1", "C2", "C3", "C4"]
+OF_ISAS = ["C6", "C7", "C0", "C1", "C4", "C5"]
 MARKERS = ["o", "s", "^", "D", "v", "P"]
-NICE = {
-    "sse42": "SSE4.2",
-    "avx2": "AVX2",
-    "avx512": "AVX-512",
-    "heitz_2017": "Heitz 2017",
-    "heitz_deon_2014": "Heitz, d’Eon 2014",
-    "heitz_deon_2014_roots": "2014, by roots",
-    "ndf_walter_2007": "NDF, Walter 2007",
-    "ispc_listing": "ISPC listing",
-    "ispc_caps": "ISPC caps",
-    "spherical_cap_listing": "caps listing",
-    "paper_listing_fast": "fast listing",
-    "plus_z": "exactly +z",
-    "minus_z": "exactly −z",
-    "near_plus_z": "near +z",
-    "near_minus_z": "near −z",
-}
+DASHES = (0, (4, 3))
 
 
-def nice(word: str) -> str:
-    """A name as people write it."""
-    return NICE.get(word, word.replace("_", " "))
+def style(name: str) -> str:
+    return plt.rcParams[name]
 
 
-def short(value: float) -> str:
-    """1, 10, 100, 1 k, 1 M: the labels of a logarithmic axis."""
-    for limit, unit in ((1e9, " G"), (1e6, " M"), (1e3, " k")):
-        if value >= limit:
-            return f"{value / limit:g}{unit}"
-    return f"{value:g}"
-
-
-def grouped(value: int) -> str:
-    """Thousands apart by narrow spaces."""
-    return f"{value:,}".replace(",", "\u202f")
-
-
-def log_axis(axis: Any, low: float, high: float, steps: Iterable[float] = (1,)) -> None:
-    """Plain words at the decades and, if asked, between."""
-    decades = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
-    ticks = [step * 10.0**decade for decade in decades for step in steps]
-    axis.set_major_locator(FixedLocator([tick for tick in ticks if low <= tick <= high]))
-    axis.set_major_formatter(FuncFormatter(lambda value, _: short(value)))
+def log_axis(axis: Axis, steps: Iterable[float] = (1,)) -> None:
+    """Plain words at the decades and, if asked, between: 1, 10, 100, 1 k, 1 M."""
+    axis.set_major_locator(LogLocator(subs=steps, numticks=99))
+    axis.set_major_formatter(EngFormatter())
     axis.set_minor_locator(NullLocator())
-    axis.set_minor_formatter(NullFormatter())
 
 
-# --- Labels beside points ------------------------------------------------------------------------------------------
+def stripes(axes: Axes, names: list[str]) -> None:
+    """Rows from top to bottom, every other one on a darker ground."""
+    axes.set_yticks(range(len(names)), names)
+    axes.tick_params(axis="y", length=0, labelcolor=style("text.color"))
+    axes.set_ylim(len(names) - 0.4, -0.6)
+    axes.grid(axis="y", visible=False)
+    for row in range(0, len(names), 2):
+        axes.axhspan(row - 0.5, row + 0.5, color=style("grid.color"), alpha=0.22, lw=0)
 
 
-@dataclass(frozen=True)
-class Label:
-    text: str
-    x: float
-    y: float
-    role: str
-    bold: bool = False
+# --- Speed against error ------------------------------------------------------------------------------------
 
 
-def overlap(a: Bbox, b: Bbox) -> float:
-    width = min(a.x1, b.x1) - max(a.x0, b.x0)
-    height = min(a.y1, b.y1) - max(a.y0, b.y0)
-    return max(width, 0.0) * max(height, 0.0)
-
-
-def obstacles(axes: Axes, labels: list[Label], lines: list[list[tuple[float, float]]],
-              scale: float) -> list[tuple[Bbox, float]]:
-    """The points and the upright or level lines, each with the weight of covering it: a line may be crossed at need."""
-    boxes = []
-    for label in labels:
-        x, y = axes.transData.transform((label.x, label.y))
-        boxes.append((Bbox.from_extents(x - 4.5 * scale, y - 4.5 * scale, x + 4.5 * scale, y + 4.5 * scale), 1.0))
-    for line in lines:
-        (x0, y0), (x1, y1) = axes.transData.transform([line[0], line[-1]])
-        boxes.append((Bbox.from_extents(min(x0, x1) - scale, min(y0, y1) - scale, max(x0, x1) + scale,
-                                        max(y0, y1) + scale), 0.12))
-    return boxes
-
-
-def place_labels(axes: Axes, labels: list[Label], lines: list[list[tuple[float, float]]]) -> None:
-    """Writes each label where it covers no point and no other label, near its point; a thin line leads to it if far."""
-    figure = axes.figure
-    figure.canvas.draw()
-    renderer = figure.canvas.get_renderer()
-    scale = figure.dpi / 72
-    frame = axes.get_window_extent(renderer)
-    taken = obstacles(axes, labels, lines, scale)
-    for label in sorted(labels, key=lambda item: (not item.bold, -item.y)):
-        text = axes.text(label.x, label.y, label.text, color=theme.color(label.role), fontsize=8.2,
-                         fontweight="bold" if label.bold else "normal", va="center_baseline", gid=theme.HALO)
-        size = text.get_window_extent(renderer)
-        at_x, at_y = axes.transData.transform((label.x, label.y))
-        best: Optional[tuple[float, Bbox, float, float]] = None
-        for distance in (8, 14, 22, 32, 44, 58, 74):
-            for degrees in (0, 180, 20, -20, 160, -160, 40, -40, 140, -140, 65, -65, 115, -115, 90, -90):
-                angle = math.radians(degrees)
-                dx, dy = distance * scale * math.cos(angle), 0.8 * distance * scale * math.sin(angle)
-                # The label's near edge sits at the end of the ray: left, right or the middle of it.
-                shift = 0.0 if math.cos(angle) > 0.3 else -1.0 if math.cos(angle) < -0.3 else -0.5
-                box = Bbox.from_bounds(at_x + dx + shift * size.width, at_y + dy - size.height / 2,
-                                       size.width, size.height)
-                hidden = sum(weight * overlap(box.padded(1.5), other) for other, weight in taken)
-                outside = size.width * size.height - overlap(box, frame)
-                cost = hidden + 4 * outside + 0.9 * distance * scale
-                if best is None or cost < best[0]:
-                    best = (cost, box, dx, dy)
-        assert best is not None
-        _, box, dx, dy = best
-        text.set_position(axes.transData.inverted().transform((box.x0, (box.y0 + box.y1) / 2)))
-        taken.append((box, 1.0))
-        if math.hypot(dx, dy) > 12 * scale:
-            ends = axes.transData.inverted().transform([(at_x + 0.35 * dx, at_y + 0.35 * dy),
-                                                        (at_x + 0.93 * dx, at_y + 0.93 * dy)])
-            axes.plot(ends[:, 0], ends[:, 1], color=theme.color(label.role), lw=0.5, alpha=0.6, zorder=1)
-
-
-# --- Speed against error -------------------------------------------------------------------------------------------
-
-
-def pareto_front(points: list[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Of points (error, speed), those that no other beats in both, by growing error."""
-    front: list[tuple[float, float]] = []
-    for error, speed in sorted(points, key=lambda point: (point[0], -point[1])):
-        if not front or speed > front[-1][1]:
-            front.append((error, speed))
-    return front
-
-
-def comparable(data: Measurements, operation: str, source: str, count: int) -> list[Result]:
-    """One operation and, for the sampling of normals, its peers: measured in speed and error, same input and count."""
-    def wanted(result: Result) -> bool:
-        speed = result.speed
-        mine = speed.operation == operation
-        peer = data.is_peer(speed.operation) and operation == data.peer_operation
-        return (mine or peer) and speed.input == source and speed.count == count and result.error is not None
-
-    return [result for result in data.results if wanted(result)]
-
-
-def label_of(data: Measurements, result: Result) -> str:
-    speed = result.speed
-    if data.is_ours(speed.operation):
-        return f"{nice(speed.isa)} {nice(speed.warp)}"
-    name = nice(speed.operation)
-    return name if speed.isa == "scalar" else f"{name} {nice(speed.isa)}"
-
-
-def speed_against_error(data: Measurements, operation: str, source: str, count: int) -> Optional[str]:
-    rows = comparable(data, operation, source, count)
-    if len(rows) < 2:
-        return None
-    figure, axes = plt.subplots(figsize=(9, 5.6))
-    axes.set_xscale("log")
-    axes.set_yscale("log")
-    points = [(or_worst(row.error.shared_max_eps), row.speed.msamples) for row in rows]
-    typical = [or_worst(row.error.typical_max_eps) for row in rows]
+def speed_against_error(rows: pd.DataFrame) -> Figure:
+    """One operation and its peers: columns of tables.join, of one input and count."""
+    rows = rows.assign(
+        error=rows.shared_max_eps.clip(upper=WORST_EPS), easy=rows.typical_max_eps.clip(upper=WORST_EPS)
+    )
+    ours, peers = rows[rows.kind == "ours"], rows[rows.kind == "peer"]
     # A peer that samples something else is shown, but beats nobody.
-    rivals = [data.peers.get(row.speed.operation, operation) == operation for row in rows]
-    warps = unique(row.speed.warp for row in rows if data.is_ours(row.speed.operation))
+    rivals = rows[rows.does == ours.does.iloc[0]].sort_values(["error", "msamples"], ascending=[True, False])
+    front = rivals[rivals.msamples > rivals.msamples.cummax().shift(fill_value=0)]
+    roof = 1e3 / ours.roof_ns.iloc[0]
+    soft, ground = style("axes.labelcolor"), style("axes.facecolor")
 
-    errors, speeds = zip(*points)
-    roof = roofline_by_count(data, operation).get(count)
-    axes.set_xlim(min(typical) / 12, max(max(errors) * 30, 1e5))
-    axes.set_ylim(min(speeds) / 1.6, max(speeds + ((roof,) if roof else ())) * 1.35)
+    figure, axes = plt.subplots(figsize=(9, 5.6))
+    axes.set(xscale="log", xlim=(rows.easy.min() / 12, max(25 * rows.error.max(), 800)))
+    axes.set(yscale="log", ylim=(rows.msamples.min() / 1.6, 1.35 * max(rows.msamples.max(), roof)))
+    corners = [(front.error.iloc[0], axes.get_ylim()[0]), *zip(front.error, front.msamples)]
+    corners.append((axes.get_xlim()[1], front.msamples.iloc[-1]))
+    axes.step(
+        *zip(*corners), "C2", where="post", lw=5, alpha=0.25, zorder=1, label="Pareto front: beaten by none"
+    )
+    axes.axhline(roof, color=soft, lw=1, ls=DASHES, label="copy: the same columns, nothing computed")
 
-    front = pareto_front([point for point, rival in zip(points, rivals) if rival])
-    steps = [(front[0][0], axes.get_ylim()[0]), *front, (axes.get_xlim()[1], front[-1][1])]
-    axes.step(*zip(*steps), where="post", color=theme.color("front"), lw=5, alpha=0.22, solid_joinstyle="round", zorder=1)
-    if roof:
-        axes.axhline(roof, color=theme.color("soft"), lw=1, ls=(0, (4, 3)), zorder=1)
-        axes.annotate("copy: the same columns read and written, nothing computed", (0.995, roof), color=theme.color("soft"),
-                      xycoords=axes.get_yaxis_transform(), xytext=(0, -4), textcoords="offset points",
-                      ha="right", va="top", fontsize=8)
+    axes.hlines(ours.msamples, ours.easy, ours.error, color=style("xtick.color"), lw=1, zorder=1)
+    axes.hlines(peers.msamples, peers.easy, peers.error, color=PEER, lw=1, alpha=0.4, zorder=1)
+    axes.plot(ours.easy, ours.msamples, "|", color=soft, ms=6)
+    axes.plot(peers.easy, peers.msamples, "|", color=PEER, ms=6)
+    for (warp, points), marker in zip(ours.groupby("warp", sort=False), MARKERS):
+        axes.plot(points.error, points.msamples, color=style("xtick.color"), lw=1, zorder=1)
+        axes.plot([], [], marker, color=soft, label=f"vndf, {nice(warp)}")
+        for point, color in zip(points.itertuples(), OF_ISAS):
+            axes.plot(point.error, point.msamples, marker, color=color, mec=ground, ms=8, zorder=3)
+    for isa, color in zip(ours.isa.unique(), OF_ISAS):
+        axes.plot([], [], "s", color=color, label=nice(isa))
+    for other, fill in ((False, PEER), (True, ground)):
+        points = peers[(peers.does != ours.does.iloc[0]) == other]
+        axes.plot(points.error, points.msamples, "X", mfc=fill, mec=PEER, ms=6.5, zorder=3)
+    name_points(axes, peers)
 
-    labels = []
-    lines = [[(error, min(speeds)), (error, speed)] for error, speed in front]
-    for row, (error, speed), easy, rival in zip(rows, points, typical, rivals):
-        ours = data.is_ours(row.speed.operation)
-        role = "accent" if ours else "peer"
-        marker = MARKERS[warps.index(row.speed.warp) % len(MARKERS)] if ours else "X"
-        on_front = (error, speed) in front
-        axes.plot([easy, error], [speed, speed], color=theme.color(role), lw=0.8, alpha=0.45, zorder=1)
-        axes.plot(easy, speed, "|", color=theme.color(role), ms=6, mew=1.2, alpha=0.8, zorder=2)
-        axes.plot(error, speed, marker, ms=7.5 if ours else 6.5, mfc=theme.color(role if rival else "panel"), mew=1.6 if on_front else 0.8, zorder=3,
-                  mec=theme.color("front" if on_front else "panel" if rival else role))
-        labels.append(Label(label_of(data, row), error, speed, role, bold=on_front))
-        lines.append([(easy, speed), (error, speed)])
-    for index, warp in enumerate(warps):
-        mine = sorted((s, e) for row, (e, s) in zip(rows, points)
-                      if data.is_ours(row.speed.operation) and row.speed.warp == warp)
-        lines.append([(e, s) for s, e in mine])
-        axes.plot([e for _, e in mine], [s for s, _ in mine], color=theme.color("accent"), lw=0.8, alpha=0.5, zorder=2)
-        axes.plot([], [], MARKERS[index % len(MARKERS)], color=theme.color("accent"), ms=7, label=f"vndf, {nice(warp)}")
-    axes.plot([], [], "X", color=theme.color("peer"), ms=6.5, label="peers")
-    axes.plot([], [], color=theme.color("front"), lw=5, alpha=0.3, label="Pareto front: nothing is both faster and closer")
-
-    log_axis(axes.xaxis, axes.get_xlim()[0], 2 / EPS)
-    log_axis(axes.yaxis, *axes.get_ylim(), steps=(1, 2, 5))
-    axes.set_xlabel("largest error over the hard cases, in units of 2⁻²⁴ (left is better); the tick on its left: over the typical case")
+    log_axis(axes.xaxis)
+    log_axis(axes.yaxis, (1, 2, 5))
+    axes.set_xlabel(
+        "largest error over the hard cases, in units of 2⁻²⁴ (left is better); tick: over the typical case"
+    )
     axes.set_ylabel("million samples per second, one core (up is better)")
     distance = axes.secondary_xaxis("top", functions=(lambda eps: eps * EPS, lambda d: d / EPS))
-    distance.xaxis.set_major_locator(FixedLocator([10.0**-k for k in range(8)]))
-    distance.xaxis.set_major_formatter(FuncFormatter(lambda value, _: "1" if value > 0.5 else f"{value:.0e}".replace("e-0", "e−")))
     distance.xaxis.set_minor_locator(NullLocator())
     distance.set_xlabel("the same as a distance between unit vectors", fontsize=8)
     distance.spines["top"].set_visible(False)
-    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncol=5, fontsize=8.2, handletextpad=0.4, columnspacing=1.4)
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.1), ncol=4, columnspacing=1.6)
     figure.subplots_adjust(left=0.075, right=0.985, top=0.9, bottom=0.17)
-    place_labels(axes, labels, lines)
-    return theme.to_svg(figure, f"Speed of {nice(operation)} and of its peers against the largest error over all hard cases")
+    return figure
 
 
-# --- Throughput against batch size ---------------------------------------------------------------------------------
+def name_points(axes: Axes, points: pd.DataFrame) -> None:
+    """Names to the right of points, a line apart where the points are closer."""
+    points = points.assign(
+        at=axes.transData.transform(points[["error", "msamples"]])[:, 1] * 72 / axes.figure.dpi
+    )
+    last = -math.inf
+    for point in points.sort_values("at").itertuples():
+        last = max(point.at, last + 10)
+        name = nice(point.operation) + ("" if point.isa == "scalar" else f" {nice(point.isa)}")
+        shift = {"xytext": (7, last - point.at), "textcoords": "offset points", "va": "center_baseline"}
+        axes.annotate(name, (point.error, point.msamples), color=PEER, fontsize=8.2, **shift)
 
 
-def throughput(data: Measurements, operation: str, source: str) -> Optional[str]:
-    mine = [s for s in data.speeds if s.operation == operation and s.input == source]
-    warps, isas = unique(s.warp for s in mine), unique(s.isa for s in mine)
-    counts = sorted({s.count for s in mine})
-    if len(counts) < 2:
-        return None
+# --- Speed --------------------------------------------------------------------------------------------------
+
+
+def dots(axes: Axes, rows: pd.DataFrame, value: str) -> None:
+    """A line of the picture per operation and warp, a dot per instruction set."""
+    first = rows.drop_duplicates("group")
+    y = rows.group.map(dict(zip(first.group, range(len(first)))))
+    ends = rows.groupby(y)[value].agg(["min", "max"])
+    axes.hlines(ends.index, ends["min"], ends["max"], color=style("xtick.color"), lw=1.6)
+    for color, isa in zip(OF_ISAS, rows.isa.unique()):
+        mine = rows.isa == isa
+        axes.plot(rows[value][mine], y[mine], "o", color=color, ms=5.5, label=nice(isa))
+    axes.set_xscale("log")
+    warps = first.warp.map(lambda warp: "" if warp in ("none", "own") else f", {nice(warp)}")
+    stripes(axes, list(first.operation.map(nice) + warps))
+
+
+def overview(rows: pd.DataFrame) -> Figure:
+    """How fast every operation is on every set, ours and the peers', with the copy of the same columns."""
+    first = rows.drop_duplicates("group")
+    figure, axes = plt.subplots(figsize=(9, 1.1 + 0.22 * len(first)))
+    dots(axes, rows, "msamples")
+    axes.plot(1e3 / first.roof_ns, range(len(first)), "|", color=style("axes.labelcolor"), ms=9, label="copy")
+    for text, kind in zip(axes.get_yticklabels(), first.kind):
+        text.set_color(PEER if kind == "peer" else style("text.color"))
+    log_axis(axes.xaxis, (1, 2, 5))
+    axes.set_xlabel("million samples per second, one core (right is better)")
+    legend_above(figure, axes)
+    return figure
+
+
+def legend_above(figure: Figure, axes: Axes) -> None:
+    """A legend on top, and room for long names on the left."""
+    height = figure.get_size_inches()[1]
+    figure.subplots_adjust(left=0.31, right=0.985, top=1 - 0.38 / height, bottom=0.5 / height)
+    handles, names = axes.get_legend_handles_labels()
+    figure.legend(handles, names, loc="upper right", ncol=len(names), bbox_to_anchor=(0.99, 1.0))
+
+
+def throughput(rows: pd.DataFrame, listing: pd.DataFrame | None) -> Figure:
+    """One operation against the batch size, a panel per warp; the listing's rows where it does the same."""
+    warps, isas, counts = rows.warp.unique(), rows.isa.unique(), sorted(rows["count"].unique())
     figure, panels = plt.subplots(1, len(warps), figsize=(9, 3.7), sharey=True, squeeze=False)
+    roof = rows.drop_duplicates("count").sort_values("count")
     for axes, warp in zip(panels[0], warps):
-        axes.set_xscale("log", base=2)
-        axes.set_yscale("log")
-        axes.set_title(f"{nice(operation)}, {nice(warp)}")
-        draw_line(axes, roofline_by_count(data, operation), "soft", "copy", dashed=True)
-        listing = [s for s in data.speeds if (s.operation, s.warp, s.isa) == LISTING and s.input == source]
-        if data.peer_operation == operation:
-            draw_line(axes, {s.count: s.msamples for s in listing}, "peer", "paper listing")
-        for index, isa in enumerate(isas):
-            series = {s.count: s.msamples for s in mine if s.warp == warp and s.isa == isa}
-            draw_line(axes, series, f"seq{index % 6}", nice(isa))
+        axes.plot(roof["count"], 1e3 / roof.roof_ns, color=style("axes.labelcolor"), ls=DASHES, label="copy")
+        series = [] if listing is None else [(listing, PEER, "paper listing")]
+        mine = rows[rows.warp == warp]
+        series += [(mine[mine.isa == isa], color, nice(isa)) for isa, color in zip(isas, OF_ISAS)]
+        for line, color, name in series:
+            line = line.sort_values("count")
+            axes.plot(line["count"], line.msamples, "o-", color=color, ms=3.5, label=name)
+        axes.set_title(f"{nice(mine.operation.iloc[0])}, {nice(warp)}")
+        axes.set(xscale="log", yscale="log", xlabel="samples per call")
         axes.xaxis.set_major_locator(FixedLocator(counts))
         axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: binary(value)))
         axes.xaxis.set_minor_locator(NullLocator())
         axes.tick_params(axis="x", labelrotation=45)
-        axes.set_xlabel("samples per call")
-    low, high = panels[0][0].get_ylim()
-    log_axis(panels[0][0].yaxis, low, high, steps=(1, 2, 5))
+        log_axis(axes.yaxis, (1, 2, 5))
     panels[0][0].set_ylabel("million samples per second")
     handles, names = panels[0][0].get_legend_handles_labels()
-    figure.legend(handles[::-1], names[::-1], loc="lower center", ncol=len(names), fontsize=8.5)
+    figure.legend(handles[::-1], names[::-1], loc="lower center", ncol=len(names))
     figure.subplots_adjust(left=0.07, right=0.99, top=0.92, bottom=0.3, wspace=0.08)
-    return theme.to_svg(figure, f"Throughput of {nice(operation)} against batch size")
+    return figure
 
 
 def binary(count: float) -> str:
@@ -273,172 +186,69 @@ def binary(count: float) -> str:
     return f"{count:g}"
 
 
-def roofline_by_count(data: Measurements, operation: str) -> dict[int, float]:
-    """Million samples per second of the copy of the operation's columns."""
-    traffic = next((s.bytes for s in data.speeds if s.operation == operation), None)
-    times = {count: copy_ns(data, operation, traffic, count) for count in sorted({s.count for s in data.speeds})}
-    return {count: 1e3 / ns for count, ns in times.items() if ns}
+# --- Error per hard case ------------------------------------------------------------------------------------
 
 
-def draw_line(axes: Axes, series: dict[int, float], role: str, label: str, dashed: bool = False) -> None:
-    if series:
-        counts = sorted(series)
-        axes.plot(counts, [series[count] for count in counts], color=theme.color(role), label=label, lw=1.6,
-                  ls=(0, (4, 3)) if dashed else "-", marker="" if dashed else "o", ms=3.5)
-
-
-# --- Error per hard case -------------------------------------------------------------------------------------------
-
-
-def error_per_case(data: Measurements, operation: str) -> Optional[str]:
-    mine = [e for e in data.errors if e.implementation == operation]
-    cases = unique(e.row for e in mine if not e.undefined)
-    if not cases:
-        return None
-    series = [(operation, warp, f"vndf, {nice(warp)}", f"cat{index}") for index, warp in enumerate(unique(e.warp for e in mine))]
-    scalar_peers = [e for e in data.errors if e.isa == "scalar" and e.warp in {e.warp for e in mine}]
-    if operation == data.peer_operation:
-        for index, (name, warp) in enumerate(unique((e.implementation, e.warp) for e in scalar_peers)):
-            series.append((name, warp, nice(name), ("peer", "cat3")[index % 2]))
-    rows = [([e for e in data.errors if (e.implementation, e.warp) == (name, warp)], label, role)
-            for name, warp, label, role in series]
-    return case_figure(cases, rows, f"Error of {nice(operation)} in every hard case")
-
-
-def case_figure(cases: list[str], series: list[tuple[list[ErrorRow], str, str]], description: str,
-                largest: float = 9e7) -> str:
-    """One line per case and series (rows, name in the legend if any, colour), from the mean to the maximum with a tick at
-    p99.9."""
-    figure, axes = plt.subplots(figsize=(9, 1.3 + 0.115 * len(cases) * (len(series) + 1.2)))
-    axes.set_xscale("log")
+def error_per_case(series: list[tuple[pd.DataFrame, str, str]], largest: float = 9e7) -> Figure:
+    """A line per case and series (rows, name in the legend if any, colour), from the mean to the maximum."""
+    cases = list(series[0][0].row.unique())
     step = 1 / (len(series) + 1.2)
-    for index, (rows, label, role) in enumerate(series):
-        for row in rows:
-            if row.row in cases:
-                draw_case(axes, row, cases.index(row.row) + (index - (len(series) - 1) / 2) * step, role)
-        if label:
-            axes.plot([], [], "o-", color=theme.color(role), ms=4.5, lw=1.2, label=label)
-    axes.set_yticks(range(len(cases)), [nice(case) for case in cases])
-    axes.tick_params(axis="y", length=0, labelcolor=theme.color("ink"))
-    axes.set_ylim(len(cases) - 0.4, -0.6)
-    axes.grid(axis="y", visible=False)
-    for index in range(0, len(cases), 2):
-        axes.axhspan(index - 0.5, index + 0.5, color=theme.color("line"), alpha=0.22, lw=0)
-    axes.set_xlim(0.08, largest)
-    log_axis(axes.xaxis, *axes.get_xlim())
-    axes.set_xlabel("error in units of 2⁻²⁴: line from the mean, tick at p99.9, dot at the maximum (left is better)")
-    figure.legend(loc="upper right", ncol=sum(bool(label) for _, label, _ in series), fontsize=8.5, bbox_to_anchor=(0.99, 1.0))
-    height = figure.get_size_inches()[1]
-    figure.subplots_adjust(left=0.27, right=0.985, top=1 - 0.38 / height, bottom=0.5 / height)
-    return theme.to_svg(figure, description)
+    figure, axes = plt.subplots(figsize=(9, 1.2 + 0.1 * len(cases) / step))
+    axes.set(xscale="log", xlim=(0.12, largest))
+    for index, (rows, name, color) in enumerate(series):
+        rows = rows[rows.row.isin(cases)]
+        y = rows.row.map(cases.index) + (index - (len(series) - 1) / 2) * step
+        distances = rows[["mean_eps", "p999_eps", "max_eps"]].clip(upper=WORST_EPS)
+        mean, p999, worst = distances.to_numpy().T
+        color = style("axes.labelcolor") if color == "soft" else color
+        axes.hlines(y, mean, worst, color=color, lw=1.2, alpha=0.8)
+        axes.plot(p999, y, "|", color=color, ms=5, mew=1.2)
+        axes.plot(worst, y, "o", color=color, ms=4.5)
+        hollow = np.isinf(rows.max_eps)
+        axes.plot(worst[hollow], y[hollow], "o", color=style("axes.facecolor"), ms=2.5)
+        if name:
+            axes.plot([], [], "o-", color=color, ms=4.5, lw=1.2, label=name)
+    stripes(axes, [nice(case) for case in cases])
+    log_axis(axes.xaxis)
+    axes.set_xlabel("units of 2⁻²⁴: line from the mean, tick at p99.9, dot at the maximum (left is better)")
+    legend_above(figure, axes)
+    return figure
 
 
-def draw_case(axes: Axes, row: ErrorRow, y: float, role: str) -> None:
-    color = theme.color(role)
-    low = 0.1
-    mean, p999, worst = (max(or_worst(value), low) for value in (row.mean_eps, row.p999_eps, row.max_eps))
-    axes.plot([mean, worst], [y, y], color=color, lw=1.2, alpha=0.8, solid_capstyle="butt")
-    axes.plot([p999], [y], "|", color=color, ms=5, mew=1.2)
-    hollow = row.max_eps is None
-    axes.plot([worst], [y], "o", mec=color, mfc=theme.color("panel") if hollow else color, ms=4.5, mew=1)
+# --- The warped square --------------------------------------------------------------------------------------
 
 
-# --- The warped square ---------------------------------------------------------------------------------------------
-
-
-def warped_square(warps: dict[str, Any], kind: str) -> str:
+def warped_square(maps: pd.DataFrame, kind: str) -> Figure:
     """One row per map, one column per view angle: `checker` cells or `points`, in slope space."""
-    maps, angles = unique(m["map"] for m in warps["maps"]), unique(m["degrees"] for m in warps["maps"])
-    figure, panels = plt.subplots(len(maps), len(angles), figsize=(9, 9 / len(angles) * len(maps) + 0.2), squeeze=False)
-    for entry in warps["maps"]:
-        row, column = maps.index(entry["map"]), angles.index(entry["degrees"])
-        axes = panels[row][column]
+    rows, columns = maps["map"].nunique(), maps.degrees.nunique()
+    figure, panels = plt.subplots(rows, columns, figsize=(9, 8.6 / columns * rows + 0.31), squeeze=False)
+    windows = {degrees: window(np.concatenate([*same.points])) for degrees, same in maps.groupby("degrees")}
+    for axes, entry in zip(panels.flat, maps.itertuples()):
+        x, y = windows[entry.degrees]
+        place = axes.get_subplotspec()
+        color = OF_WARPS[place.rowspan.start % len(OF_WARPS)]
+        # Pixels, at the resolution of the style: as outlines they would be most of the page's size.
         if kind == "checker":
-            draw_checker(axes, entry["checker"], f"cat{row % 5}")
+            axes.add_collection(PolyCollection(entry.checker, fc=color, alpha=0.75, lw=0, rasterized=True))
         else:
-            draw_points(axes, entry["points"], f"cat{row % 5}")
-        frame_slopes(axes, window_of(warps, entry["degrees"]))
-        if row == 0:
-            axes.set_title(f"{entry['degrees']:g}° from the normal", fontsize=9, fontweight="normal", loc="center", pad=5)
-        if column == 0:
-            axes.set_ylabel(nice(entry["map"]), color=theme.color("ink"), fontsize=9, fontweight="bold")
+            axes.plot(*np.transpose(entry.points), "o", color=color, ms=2, mew=0, rasterized=True)
+        axes.set(xlim=x, ylim=y, aspect="equal", xticks=[], yticks=[])
+        axes.spines[:].set_visible(True)
+        axes.axhline(0, color=style("grid.color"), lw=0.6, zorder=0)
+        axes.axvline(0, color=style("grid.color"), lw=0.6, zorder=0)
+        if place.is_first_row():
+            axes.set_title(f"{entry.degrees:g}° from the normal", fontsize=9, loc="center", pad=5)
+        if place.is_first_col():
+            axes.set_ylabel(nice(entry.map), color=style("text.color"), fontweight="bold")
     height = figure.get_size_inches()[1]
-    figure.subplots_adjust(left=0.035, right=0.995, top=1 - 0.26 / height, bottom=0.05 / height, wspace=0.04, hspace=0.04)
-    return theme.to_svg(figure, f"The unit square's {kind} warped into slope space by each map at several view angles")
-
-
-def window_of(warps: dict[str, Any], degrees: float) -> tuple[float, float, float, float]:
-    """A square that shows most points: slopes have no bound."""
-    points = [point for entry in warps["maps"] if entry["degrees"] == degrees for point in entry["points"]]
-    ranges = []
-    for axis in (0, 1):
-        values = sorted(point[axis] for point in points)
-        ranges.append((values[len(values) // 14], values[-len(values) // 14]))
-    half = max(high - low for low, high in ranges) / 2 * 1.1
-    (x0, x1), (y0, y1) = ranges
-    return (x0 + x1) / 2 - half, (x0 + x1) / 2 + half, (y0 + y1) / 2 - half, (y0 + y1) / 2 + half
-
-
-def frame_slopes(axes: Axes, window: tuple[float, float, float, float]) -> None:
-    x0, x1, y0, y1 = window
-    axes.set_xlim(x0, x1)
-    axes.set_ylim(y0, y1)
-    axes.set_aspect("equal")
-    axes.grid(False)
-    axes.set_xticks([])
-    axes.set_yticks([])
-    for spine in axes.spines.values():
-        spine.set_visible(True)
-    for position in (axes.axhline, axes.axvline):
-        position(0, color=theme.color("line"), lw=0.6, zorder=0)
-
-
-def draw_checker(axes: Axes, cells: list[list[list[float]]], role: str) -> None:
-    vertices: list[list[float]] = []
-    codes: list[int] = []
-    for cell in cells:
-        vertices += [*cell, cell[0]]
-        codes += [Outline.MOVETO, *[Outline.LINETO] * (len(cell) - 1), Outline.CLOSEPOLY]
-    axes.add_patch(PathPatch(Outline(vertices, codes), fc=theme.color(role), alpha=0.75, lw=0))
-
-
-def draw_points(axes: Axes, points: list[list[float]], role: str) -> None:
-    """Dots as one path of lines without length and round ends: a tenth of the size of as many markers."""
-    vertices = [vertex for point in points for vertex in (point, point)]
-    codes = [Outline.MOVETO, Outline.LINETO] * len(points)
-    axes.add_patch(PathPatch(Outline(vertices, codes), fc="none", ec=theme.color(role), lw=2, capstyle="round"))
-
-
-def read_warps(path: Path) -> dict[str, Any]:
-    return json.loads(path.read_text())
-
-
-# --- All of them ---------------------------------------------------------------------------------------------------
-
-
-@dataclass(frozen=True)
-class Figures:
-    speed_against_error: list[str]
-    throughput: list[str]
-    error_per_case: list[str]
-    checker: Optional[str]
-    points: Optional[str]
-
-
-def draw(data: Measurements, warps: dict[str, Any], source: str, count: int) -> Figures:
-    """One figure per operation where there is data for it, that with the peers first."""
-    operations = unique(speed.operation for speed in data.speeds if data.is_ours(speed.operation))
-    operations.sort(key=lambda operation: operation != data.peer_operation)
-
-    measured = {row.implementation for row in data.errors}
-
-    def each(make: Callable[[str], Optional[str]]) -> list[str]:
-        return [svg for operation in operations if (svg := make(operation))]
-
-    return Figures(
-        speed_against_error=each(lambda operation: speed_against_error(data, operation, source, count)),
-        throughput=each(lambda operation: throughput(data, operation, source) if operation in measured else None),
-        error_per_case=each(lambda operation: error_per_case(data, operation)),
-        checker=warped_square(warps, "checker"),
-        points=warped_square(warps, "points"),
+    figure.subplots_adjust(
+        left=0.035, right=0.995, top=1 - 0.26 / height, bottom=0.05 / height, wspace=0.04, hspace=0.04
     )
+    return figure
+
+
+def window(points: np.ndarray) -> list[tuple[float, float]]:
+    """A square that shows most points: slopes have no bound."""
+    low, high = np.quantile(points, [1 / 14, 13 / 14], axis=0)
+    half = (high - low).max() / 2 * 1.1
+    return [(middle - half, middle + half) for middle in (low + high) / 2]

@@ -1,71 +1,91 @@
 """Joins the measurements of speed and of error into a page, a JSON file and a table on the terminal."""
 
-from __future__ import annotations
-
 import argparse
 import json
 from pathlib import Path
+from typing import Any
 
-import ellipsoid
+import numpy as np
+import pandas as pd
+
 import machine
 import page
-import plots
-import results
-import theme
+import pictures
+import tables
 
-# The input and the batch size that headlines and the first table are about.
+# What headlines and the first figures are about.
 INPUT, COUNT = "camera", 4096
+SPEEDS = ["ns", "msamples", "vs_listing", "roofline_share"]
+ERRORS = ["mean_eps", "p999_eps", "max_eps", "worst_row", "ratio"]
 
 
 def parse_arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--benchmark", type=Path, required=True, help="what measure.py wrote, or vndf_bench itself")
-    parser.add_argument("--errors", type=Path, required=True, help="what vndf_errors wrote")
-    parser.add_argument("--warps", type=Path, required=True, help="what vndf_warps wrote")
-    parser.add_argument("--ellipsoid", type=Path, required=True, help="what vndf_ellipsoid wrote")
-    parser.add_argument("--out", type=Path, required=True, help="directory of index.html, report.json and the plot")
-    parser.add_argument("--source", type=Path, default=Path("."), help="the source tree, to name its revision")
+    parser.add_argument(
+        "directory", type=Path, help="of benchmark, errors, warps and ellipsoid.json, and the page"
+    )
+    parser.add_argument(
+        "--source", type=Path, default=Path("."), help="the source tree, to name its revision"
+    )
     parser.add_argument("--compiler", default="unknown", help="its name and version")
     parser.add_argument("--flags", default="unknown", help="what it was called with")
     return parser.parse_args()
 
 
-def print_table(data: results.Measurements) -> None:
-    """The headline input: operation and warp, then one line per instruction set."""
-    print(f"\n{INPUT}/{COUNT}, one core, errors over all hard cases in units of 2^-24")
-    print(f"{'':<44}{'ns':>8}{'M/s':>9}{'x listing':>11}{'of copy':>9}{'mean':>10}{'p99.9':>10}{'max':>10}  worst")
-    chosen = [r for r in data.results if r.speed.input == INPUT and r.speed.count == COUNT]
-    for result in page.in_groups(data, chosen):
-        speed, error = result.speed, result.error
-        name = f"{speed.operation} {speed.warp} {speed.isa}"
-        line = f"{name:<44}{speed.ns:8.3f}{speed.msamples:9.1f}"
-        line += f"{result.vs_listing:10.2f}x" if result.vs_listing else f"{'-':>11}"
-        line += f"{100 * result.roofline_share:8.0f}%" if result.roofline_share else f"{'-':>9}"
-        if error:
-            line += "".join(f"{'NaN' if v is None else f'{v:.3g}':>10}" for v in (error.mean_eps, error.p999_eps, error.max_eps))
-            line += f"  {error.worst_row}"
-        print(line)
+def read_ellipsoids(document: dict[str, Any], speeds: pd.DataFrame) -> dict[str, pd.DataFrame]:
+    errors = tables.read_errors(document["errors"])
+    densities = pd.DataFrame(document["densities"])
+    return {
+        "costs": tables.ellipsoid_costs(speeds),
+        "errors": errors.assign(note=errors.row.map(document["row_notes"])),
+        "rejections": pd.DataFrame(document["rejections"]),
+        "densities": densities.assign(pdf=[np.array(pdf, dtype=float) for pdf in densities.pdf]),
+    }
+
+
+def records(table: pd.DataFrame) -> list[dict[str, Any]]:
+    """For JSON, which has no NaN."""
+    return json.loads(table.to_json(orient="records"))
 
 
 def main() -> None:
     arguments = parse_arguments()
-    theme.use()
-    data = results.load(arguments.benchmark, arguments.errors)
-    about = machine.describe(arguments.source, arguments.compiler, arguments.flags)
-    figures = plots.draw(data, plots.read_warps(arguments.warps), INPUT, COUNT)
+    out = arguments.directory
+    benchmark, facts, warps, ellipsoid = (
+        json.loads((out / f"{name}.json").read_text())
+        for name in ("benchmark", "errors", "warps", "ellipsoid")
+    )
+    speeds = tables.read_speeds(benchmark["benchmarks"])
+    errors = tables.read_errors(facts["rows"])
+    results = tables.join(speeds, errors, facts["peers"])
+    headline = results[(results.input == INPUT) & (results["count"] == COUNT) & (results.threads == 1)]
+    ellipsoids = read_ellipsoids(ellipsoid, headline)
+    figures = pictures.draw_all(results, headline, errors, pd.DataFrame(warps["maps"]), ellipsoids)
+    about = machine.describe(
+        arguments.source, arguments.compiler, arguments.flags, benchmark["context"]["date"]
+    )
+    isas = tables.isas(benchmark["context"])
 
-    ellipsoids = ellipsoid.read(arguments.ellipsoid)
-    costs = ellipsoid.costs(data, INPUT, COUNT)
-    section = ellipsoid.section(ellipsoids, costs, INPUT, COUNT)
-    document = {**results.report_json(about, data.results), "ellipsoid": ellipsoid.summary(ellipsoids, costs)}
+    facts |= {"about": about, "isas": isas, "kinds": tables.ELLIPSOIDS}
+    (out / "index.html").write_text(page.render(results, headline, errors, ellipsoids, figures, facts))
+    document = {
+        "machine": {**about, "instruction_sets": isas},
+        "results": records(results[[*tables.IMPLEMENTATION, "input", "count", "threads", *SPEEDS, *ERRORS]]),
+        "ellipsoid": {
+            name: records(table.drop(columns="pdf", errors="ignore")) for name, table in ellipsoids.items()
+        },
+    }
+    (out / "report.json").write_text(json.dumps(document, indent=1) + "\n")
+    for mode, svg in figures["speed_against_error"][0].items():
+        (out / f"speed_vs_error.{mode}.svg").write_text(svg)
 
-    arguments.out.mkdir(parents=True, exist_ok=True)
-    (arguments.out / "index.html").write_text(page.render(data, figures, about, INPUT, COUNT, section))
-    (arguments.out / "report.json").write_text(json.dumps(document, indent=1) + "\n")
-    if figures.speed_against_error:
-        (arguments.out / "speed_vs_error.svg").write_text(theme.standalone(figures.speed_against_error[0]))
-    print_table(data)
-    print(f"\nwrote {(arguments.out / 'index.html').resolve()} and report.json beside it")
+    print(f"\n{INPUT}/{COUNT}, one core, errors over all hard cases in units of 2^-24\n")
+    shown = headline[[*tables.IMPLEMENTATION, *SPEEDS, *ERRORS]]
+    print(shown.to_string(index=False, na_rep="-", float_format=lambda value: f"{value:.3g}"))
+    for isa, supported in isas.items():
+        if not supported:
+            print(f"{isa} is not on this machine: not measured")
+    print(f"\nwrote {(out / 'index.html').resolve()} and report.json beside it")
 
 
 if __name__ == "__main__":
