@@ -25,7 +25,7 @@ def costs(table: pd.DataFrame) -> Figure:
     for axes, (kind, words) in zip(panels, ELLIPSOIDS.items()):
         dots(axes, table, kind + "_ratio")
         axes.axvline(1, color=style("axes.labelcolor"), lw=1, ls=DASHES, zorder=1)
-        axes.xaxis.set_major_locator(FixedLocator([0.5, 1, 2, 3, 5, 10, 20]))
+        axes.xaxis.set_major_locator(FixedLocator([0.5, 1, 2, 5, 10, 20]))
         axes.xaxis.set_major_formatter(StrMethodFormatter("{x:g}×"))
         axes.xaxis.set_minor_locator(NullLocator())
         axes.set_title(words, loc="center", fontsize=9)

@@ -161,7 +161,7 @@ std::vector<Json> measure_peers(const HardCase& hard_case, std::size_t samples) 
 
 using Task = std::function<std::vector<Json>()>;
 
-Json run(const std::vector<Task>& tasks, unsigned threads) {
+Json run(const std::vector<Task>& tasks, [[maybe_unused]] unsigned threads) {
   std::vector<std::vector<Json>> results(tasks.size());
   std::size_t done = 0;
 #pragma omp parallel for schedule(dynamic) num_threads(threads)

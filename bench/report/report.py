@@ -68,9 +68,10 @@ def main() -> None:
 
     facts |= {"about": about, "isas": isas, "kinds": tables.ELLIPSOIDS}
     (out / "index.html").write_text(page.render(results, headline, errors, ellipsoids, figures, facts))
+    told = results[[*tables.IMPLEMENTATION, "input", "count", "threads", *SPEEDS, *ERRORS]]
     document = {
         "machine": {**about, "instruction_sets": isas},
-        "results": records(results[[*tables.IMPLEMENTATION, "input", "count", "threads", *SPEEDS, *ERRORS]]),
+        "results": records(told.rename(columns={"ns": "ns_per_sample", "msamples": "msamples_per_s"})),
         "ellipsoid": {
             name: records(table.drop(columns="pdf", errors="ignore")) for name, table in ellipsoids.items()
         },

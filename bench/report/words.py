@@ -62,7 +62,7 @@ def times(value: float) -> str:
 
 
 def percent(share: float) -> str:
-    return "–" if math.isnan(share) else f"{100 * share:.3g} %"
+    return "–" if math.isnan(share) else f"{number(100 * share)} %"
 
 
 def angles(theta: list[float]) -> str:
