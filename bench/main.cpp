@@ -250,10 +250,12 @@ constexpr char kFooter[] =
   --benchmark_out=FILE                            results as a file as well
 and all others that it has.)";
 
-/// What the report says of sets that are missing in the results.
+/// For the report, which marks what this machine cannot run.
 void tell_isas() {
-  for (const vndf::Isa& isa : vndf::isas())
-    benchmark::AddCustomContext(std::string("isa/") + isa.name, isa.supported ? "supported" : "unsupported");
+  std::string measured, missing;
+  for (const vndf::Isa& isa : vndf::isas()) (isa.supported ? measured : missing) += std::string(isa.name) + " ";
+  benchmark::AddCustomContext("isas", measured);
+  benchmark::AddCustomContext("missing_isas", missing);
 }
 
 }  // namespace

@@ -41,9 +41,8 @@ def read_speeds(runs: list[dict[str, Any]]) -> pd.DataFrame:
 
 def isas(context: dict[str, str]) -> dict[str, bool]:
     """The library's instruction sets, slowest first, and whether the machine has them; vndf_bench tells."""
-    prefix = "isa/"
-    found = {key: state == "supported" for key, state in context.items() if key.startswith(prefix)}
-    return {key.removeprefix(prefix): supported for key, supported in found.items()}
+    measured, missing = context.get("isas", "").split(), context.get("missing_isas", "").split()
+    return {**dict.fromkeys(measured, True), **dict.fromkeys(missing, False)}
 
 
 def read_errors(rows: list[dict[str, Any]]) -> pd.DataFrame:
