@@ -267,9 +267,8 @@ const char* active_isa() noexcept;
 
 enum class IsaError { none, unknown, unsupported };
 
-/// Chooses the instruction set by name. A name that is unknown or not supported, or a null pointer, changes nothing, and
-/// the answer is the reason. Calls under way in other threads finish on the set they began with; their results are the
-/// same.
+/// Chooses the instruction set by name. One that is unknown or not supported, or a null pointer, changes nothing; the
+/// answer is the reason. Calls under way in other threads finish on the set they began with: results are the same.
 [[nodiscard]] IsaError set_isa(const char* name) noexcept;
 
 /// One line for people: what was wrong, and which names are accepted here.
