@@ -13,8 +13,8 @@
 //    it starts, or what its neighbours are.
 //  - noexcept, no allocation, no locks, and no global state but the choice of the instruction set: callable from any
 //    number of threads at once. Floating-point exceptions must be masked, as they are unless a program asks for traps:
-//    both sides of a choice are computed, so flags may be raised for good inputs too.
-//  - Any count including 0, any alignment that a float may have (64 bytes is fastest). Nothing is written outside
+//    both sides of a choice are computed, so their flags may be raised for good inputs too.
+//  - Any count including 0, any alignment that a float may have (64 bytes is fastest), nothing written outside
 //    [0, count) of an output.
 //  - In place: an output may be the same column as an input of the same call, since every input of an index is read
 //    before its outputs are written. Outputs must not overlap one another, nor an input at another offset.
