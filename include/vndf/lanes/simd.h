@@ -239,7 +239,7 @@ VNDF_INLINE Batch<Arch> narrow(const Doubles<Arch>& a) {
 
 template <class F>
 VNDF_INLINE F load(const float* p) {
-  if constexpr (kWidth<F> == 1)
+  if constexpr (std::is_floating_point_v<F>)
     return *p;
   else
     return F::load_unaligned(p);
