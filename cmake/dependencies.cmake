@@ -9,6 +9,7 @@ endif()
 if(vndf_xsimd_version VERSION_LESS 8.1)
   message(FATAL_ERROR "xsimd ${vndf_xsimd_version} was found in ${vndf_xsimd_include_dir}; 8.1 or newer is needed.")
 endif()
+set(vndf_xsimd_found_in ${vndf_xsimd_include_dir})
 # A directory the compiler searches anyway must not be named: it would go before the C library's own.
 if(vndf_xsimd_include_dir STREQUAL "/usr/include")
   set(vndf_xsimd_include_dir "")

@@ -32,6 +32,7 @@ set(vndf_kernel_options $<$<NOT:$<BOOL:${VNDF_DEBUG_KERNELS}>>:SHELL:-O3>)
 # An object of the library, in a unity or an IPO build too. Its symbols are its own: two plugins may carry two versions.
 function(vndf_library_target target)
   target_compile_options(${target} PRIVATE ${vndf_compile_options})
+  target_compile_definitions(${target} PRIVATE $<$<BOOL:${BUILD_SHARED_LIBS}>:VNDF_SHARED>)
   set_target_properties(${target} PROPERTIES
     POSITION_INDEPENDENT_CODE ON INTERPROCEDURAL_OPTIMIZATION OFF UNITY_BUILD OFF
     CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)

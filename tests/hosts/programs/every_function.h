@@ -12,14 +12,18 @@
 struct EveryFunction {
   struct Call {
     std::string name;
-    std::function<void()> run;  ///< writes `out`
+    std::function<void()> run;  ///< writes the columns of output()
   };
   std::size_t count;
   std::vector<std::vector<float>> in, out;
+  /// On a line of the cache, where large batches are written past it.
+  float* output(std::size_t c) {
+    return out[c].data() + (64 - reinterpret_cast<std::uintptr_t>(out[c].data()) % 64) % 64 / sizeof(float);
+  }
   vndf::Shape shape;
   std::vector<Call> calls;
 
-  explicit EveryFunction(std::size_t count_) : count(count_), in(14), out(9, std::vector<float>(count)) {
+  explicit EveryFunction(std::size_t count_) : count(count_), in(14), out(9, std::vector<float>(count + 16)) {
     std::uint32_t state = 1;
     auto unit = [&] {  // in [0, 1), 24 bits
       state = state * 1664525u + 1013904223u;
@@ -43,7 +47,7 @@ struct EveryFunction {
   void list() {
     const vndf::Columns3 wo = columns(0), wi = columns(3), u3 = columns(8);
     const vndf::Columns2 alpha{in[6].data(), in[7].data()}, u{in[8].data(), in[9].data()};
-    auto p = [this](std::size_t c) { return out[c].data(); };
+    auto p = [this](std::size_t c) { return output(c); };
     const vndf::Out3 first{p(0), p(1), p(2)};
     const vndf::Evaluations evaluations{p(0), p(1)};
     const vndf::ReflectionSamples reflections{first, p(3), p(4), {p(5), p(6), p(7)}, p(8)};
