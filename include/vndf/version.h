@@ -10,12 +10,12 @@
 /// On the namespaces of the public functions: what a shared library exports. A static one exports nothing, so that a
 /// program's shared objects can each have a version of their own.
 #ifdef VNDF_SHARED
-#define VNDF_API __attribute__((visibility("default")))
+#define VNDF_API [[gnu::visibility("default")]]
 #else
 #define VNDF_API
 #endif
 
-namespace vndf VNDF_API {
+namespace VNDF_API vndf {
 
 /// VNDF_VERSION of the library, where a program wants to know that it is the one of its headers.
 int version() noexcept;

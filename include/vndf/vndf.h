@@ -40,7 +40,7 @@
 
 #include <vndf/version.h>
 
-namespace vndf VNDF_API {
+namespace VNDF_API vndf {
 
 /// An input column: `count` floats, or one value for the whole batch (a material's alpha, a directional camera). The
 /// two give the same bits as each other, but for the columns of an Ellipsoid, which choose how it is computed; a

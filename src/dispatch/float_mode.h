@@ -13,8 +13,12 @@ class FloatMode {
   using Bits = unsigned;
   // Flush to zero, rounding, masks, denormals are zero; the flags below are not a mode.
   static constexpr Bits kMode = 0xffc0, kExact = 0x1f80;
-  static Bits get() noexcept { return __builtin_ia32_stmxcsr(); }
-  static void set(Bits bits) noexcept { __builtin_ia32_ldmxcsr(bits); }
+  static Bits get() noexcept {
+    return __builtin_ia32_stmxcsr();
+  }
+  static void set(Bits bits) noexcept {
+    __builtin_ia32_ldmxcsr(bits);
+  }
 #elif defined(__aarch64__)
   using Bits = std::uint64_t;
   // Alternative and default NaN, flush to zero, rounding, traps.
@@ -24,11 +28,15 @@ class FloatMode {
     __asm__ volatile("mrs %0, fpcr" : "=r"(bits));
     return bits;
   }
-  static void set(Bits bits) noexcept { __asm__ volatile("msr fpcr, %0" : : "r"(bits)); }
+  static void set(Bits bits) noexcept {
+    __asm__ volatile("msr fpcr, %0" : : "r"(bits));
+  }
 #else
   using Bits = unsigned;
   static constexpr Bits kMode = 0, kExact = 0;
-  static Bits get() noexcept { return 0; }
+  static Bits get() noexcept {
+    return 0;
+  }
   static void set(Bits) noexcept {}
 #endif
 

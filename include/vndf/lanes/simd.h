@@ -7,11 +7,11 @@
 // multiply-add, no approximate reciprocal and no call into a mathematics library, and there must not be.
 #pragma once
 
-// What can be seen of the flags that change bits. Clang shows less than GCC, and neither shows -ffp-contract: the target
-// vndf::lanes brings flags that take all of them back.
+// What can be seen of the flags that change bits. Clang shows less than GCC, and neither shows -ffp-contract: the
+// target vndf::lanes brings flags that take all of them back.
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || \
     defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)
-#error "vndf promises identical bits on every instruction set: link vndf::lanes, or compile without -ffast-math and its parts"
+#error "vndf promises identical bits on every instruction set: link vndf::lanes, or compile without -ffast-math"
 #endif
 
 #if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0 && __FLT_EVAL_METHOD__ != 16

@@ -31,10 +31,10 @@ struct EveryFunction {
     };
     for (std::size_t i = 0; i < count; ++i) {
       const float scale = i % 2 ? 1.f : 0x1p-6f;
-      for (std::size_t c = 0; c < 6; ++c) in[c].push_back(2 * unit() - 1);           // two directions
+      for (std::size_t c = 0; c < 6; ++c) in[c].push_back(2 * unit() - 1);               // two directions
       for (std::size_t c = 6; c < 8; ++c) in[c].push_back((unit() + 0x1p-24f) * scale);  // alpha
-      for (std::size_t c = 8; c < 11; ++c) in[c].push_back(unit());                  // u
-      for (std::size_t c = 11; c < 14; ++c) in[c].push_back(unit());                 // angles
+      for (std::size_t c = 8; c < 11; ++c) in[c].push_back(unit());                      // u
+      for (std::size_t c = 11; c < 14; ++c) in[c].push_back(unit());                     // angles
     }
     const float a[9] = {0.5f, 0.125f, 0.25f, -0.125f, 0.25f, 0.5f, 0.25f, -0.25f, 1.f};
     (void)vndf::make_shape(a, shape);

@@ -12,6 +12,9 @@ alignas(64) static unsigned char stack[kStack];
 static ucontext_t host, fibre;
 static const std::function<void()>* call;
 
+static void enter() {
+  (*call)();
+}
 static std::size_t used() {
   return stack + kStack - std::find_if(stack, stack + kStack, [](unsigned char byte) { return byte != 0xa5; });
 }
@@ -22,7 +25,7 @@ static std::size_t run(const std::function<void()>& function) {
   fibre.uc_stack.ss_sp = stack;
   fibre.uc_stack.ss_size = kStack;
   fibre.uc_link = &host;
-  makecontext(&fibre, [] { (*call)(); }, 0);
+  makecontext(&fibre, enter, 0);
   swapcontext(&host, &fibre);
   return used();
 }
