@@ -1,13 +1,14 @@
 #!/bin/sh
 # Installs what vndf builds with on Debian and Ubuntu; elsewhere says what to install. Does nothing where all is there.
 set -e
-packages="g++ cmake ninja-build libxsimd-dev libgtest-dev libbenchmark-dev libcli11-dev nlohmann-json3-dev
+packages="g++ make cmake ninja-build pkg-config libxsimd-dev libgtest-dev libbenchmark-dev libcli11-dev nlohmann-json3-dev
   python3-matplotlib python3-pandas python3-jinja2"
 
 if ! command -v apt-get >/dev/null; then
   cat >&2 <<'END'
 This script installs Debian and Ubuntu packages only. Please install, by your system's means:
-  GCC or Clang with C++17 (GCC 12 and Clang 14 are tested), CMake 3.25 or newer, Ninja
+  GCC or Clang with C++17 (GCC 12 and Clang 14 are tested), CMake 3.25 or newer (the library alone: 3.22), Ninja,
+  and for the tests Make and pkg-config
   xsimd 8.1 to 14 (header-only)   https://github.com/xtensor-stack/xsimd
   GoogleTest                      https://github.com/google/googletest
   Google Benchmark                https://github.com/google/benchmark

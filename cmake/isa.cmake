@@ -14,14 +14,14 @@ function(vndf_lanes_objects name)
   add_library(vndf_${name} OBJECT ${ARGN})
   target_link_libraries(vndf_${name} PRIVATE vndf::lanes)
   target_include_directories(vndf_${name} PRIVATE ${PROJECT_SOURCE_DIR}/src)
+  vndf_library_target(vndf_${name})
   # GCC's own AVX-512 header sets off -Wmaybe-uninitialized (its _mm512_undefined_ps reads an uninitialized variable).
-  target_compile_options(vndf_${name} PRIVATE ${vndf_compile_options}
-                         $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+  target_compile_options(vndf_${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   # GCC leaves this scheduler off on x86. With it, K vectors at once are K chains side by side; without, one after the
   # other.
-  target_compile_options(vndf_${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fschedule-insns;-fsched-pressure>)
+  target_compile_options(vndf_${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fschedule-insns;-fsched-pressure>
+                                              ${vndf_kernel_options})
   target_compile_definitions(vndf_${name} PRIVATE VNDF_LANES_BUILD=kernels_${name} xsimd=xsimd_kernels_${name})
-  set_target_properties(vndf_${name} PROPERTIES INTERPROCEDURAL_OPTIMIZATION OFF POSITION_INDEPENDENT_CODE ON)
   target_sources(vndf PRIVATE $<TARGET_OBJECTS:vndf_${name}>)
 endfunction()
 
@@ -49,11 +49,16 @@ function(vndf_isa name)
     list(APPEND sources ${source})
   endforeach()
   vndf_lanes_objects(${name} ${sources})
-  target_compile_options(vndf_${name} PRIVATE ${row_FLAGS})
+  list(JOIN row_FLAGS " " flags)
+  target_compile_options(vndf_${name} PRIVATE "SHELL:${flags}")
   target_compile_definitions(vndf_${name} PRIVATE VNDF_SET=${name} VNDF_BATCH=${row_BATCH}
                                                   VNDF_VECTORS=${row_VECTORS})
 
   set(supported true)
+  if(row_CPU)
+    # Asked by a constructor that runs before libgcc's own, it would otherwise say no to everything.
+    set(supported "(__builtin_cpu_init(), true)")
+  endif()
   foreach(feature IN LISTS row_CPU)
     string(APPEND supported " && __builtin_cpu_supports(\"${feature}\")")
   endforeach()
