@@ -1,5 +1,5 @@
 # Looks at what the object of one function and one instruction set exports: its table, and nothing else. An inline
-# function that were exported could be the copy that a linker keeps for the whole program, and would then run where its
+# function that is exported could be the copy that a linker keeps for the whole program, and would then run where its
 # instructions do not exist. Weak symbols are harmless where their name holds the set's own namespace: no other set has
 # them.
 # And at what it calls: nothing that allocates, locks, throws or rounds as a mathematics library likes, only what

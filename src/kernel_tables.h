@@ -10,14 +10,14 @@ namespace vndf {
 constexpr std::size_t kWarps = 3;
 constexpr std::size_t kDiskMaps = 2;
 
-/// One matrix for the batch, or, where `per_lane` is not null, one for each lane.
+/// One matrix for the batch; or one for each lane, where `per_lane` is not null.
 struct Matrices {
   Shape one;
   const Ellipsoid* per_lane;
 };
 
-/// The kernels of a function for the kinds of surfaces; of plain alpha, where it matters, for either masking. Theta_x
-/// and theta_y are not read of what is turned.
+/// The kernels of a function, one for each kind of surface. For plain alpha there is one for each masking, where that
+/// matters. `turned` does not read theta_x and theta_y.
 template <class In, class Out, std::size_t kMaskings = 2>
 struct BySurface {
   void (*alpha[kMaskings])(std::size_t count, const In& in, const Columns2& alpha, const Out& out) noexcept;

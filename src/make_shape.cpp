@@ -1,5 +1,5 @@
-// Shapes that are worked out once for a batch or a material. With the lanes' mathematics, or + - * / sqrt as well, they
-// are the same on every machine.
+// Shapes that are worked out once for a batch or a material: with the lanes' mathematics, and with + - * / sqrt of
+// double. Both have the same bits on every machine.
 #include <cmath>
 
 #include <vndf/lanes/tilted_shape.h>
@@ -25,7 +25,7 @@ __attribute__((noinline)) static ShapeError make(const float (&a)[9], Shape& sha
     largest = std::fmax(largest, std::fabs(value));
   }
   if (!(largest > 0)) return ShapeError::not_positive;
-  // Factors do not matter, and without this one products could leave the range of double.
+  // A factor of A changes nothing. Without this one, products could leave the range of double.
   double scale = 1 / largest;
   using D3 = lanes::Vec3<double>;
   D3 a1 = {a[0] * scale, a[3] * scale, a[6] * scale};

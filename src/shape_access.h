@@ -1,4 +1,4 @@
-// What is inside a Shape, for those who compute it and those who compute with it.
+// What is inside a Shape: for the code that computes it, and for kernels, which compute with it.
 #pragma once
 
 #include <cstring>

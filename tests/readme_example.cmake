@@ -1,8 +1,11 @@
-# The examples of the README, built and run: every ```cpp block that has a main function. One that does not compile fails,
-# and so does C++ of which no program can be made.
-set(readme ${PROJECT_SOURCE_DIR}/README.md)
-set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${readme})
-file(READ ${readme} rest)
+# The examples of the READMEs for users, built and run: every ```cpp block that has a main function. One that does not
+# compile fails, and so does C++ of which no program can be made.
+set(rest "")
+foreach(readme README.md include/README.md)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${readme})
+  file(READ ${PROJECT_SOURCE_DIR}/${readme} text)
+  string(APPEND rest "${text}")
+endforeach()
 set(blocks 0)
 set(examples 0)
 while(TRUE)
@@ -27,5 +30,5 @@ while(TRUE)
   endif()
 endwhile()
 if(blocks AND NOT examples)
-  message(FATAL_ERROR "README.md shows C++, but no complete program that a test could build")
+  message(FATAL_ERROR "The READMEs show C++, but no complete program that a test could build")
 endif()

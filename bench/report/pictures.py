@@ -1,8 +1,9 @@
 """Every figure of the page, as SVG for light and for dark."""
 
 import io
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any, Callable
+from typing import Any
 
 import matplotlib
 import matplotlib.pyplot as plt

@@ -1,7 +1,7 @@
 """The figures of the library beside its peers, each drawn from tables in the colours of the style in use."""
 
 import math
-from typing import Iterable
+from collections.abc import Iterable
 
 import matplotlib.pyplot as plt
 import numpy as np

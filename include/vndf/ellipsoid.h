@@ -8,19 +8,20 @@
 
 namespace VNDF_API vndf {
 
-/// A = S R, eq. 2-3: S = diag(alpha_x, alpha_y, 1), R = Rx(theta_x) Ry(theta_y) Rz(theta_z), angles in radians. Columns
-/// or constants:
-///  - all angles the constant 0: plain GGX with separable masking, its bits and its speed.
-///  - all five constants: one matrix for the batch, sampling takes 1.1 to 1.4 times as long as for plain GGX,
-///    evaluate_reflection to 1.7.
-///  - theta_x and theta_y the constant 0: axes that a texture turns, 1.2 to 1.55 times; evaluating 1.8 to 2.1.
-///  - else the matrix is worked out for each lane, 4 to 9 times; evaluating 10 to 13.
-/// The third way rounds otherwise than the second and the fourth, which have the same bits.
+/// A = S R, eq. 2-3: S = diag(alpha_x, alpha_y, 1), R = Rx(theta_x) Ry(theta_y) Rz(theta_z). Which of the five are
+/// constants decides how it is computed, and what it costs in times of plain GGX:
+///  1. all angles the constant 0: plain GGX with separable masking, its bits and its speed.
+///  2. all five constants: one matrix for the batch. Sampling 1.1 to 1.4, evaluate_reflection up to 1.7.
+///  3. theta_x and theta_y the constant 0: axes that a texture turns. Sampling 1.2 to 1.55, evaluating 1.8 to 2.1.
+///  4. else a matrix for each lane. Sampling 4 to 9, evaluating 10 to 13.
+/// 2 and 4 have the same bits; 3 rounds otherwise. bench/README.md says where this was measured.
 ///
-/// alpha    from 1e-6 to 100.
-/// theta_z  turns the axes of alpha about n: alpha_x is the roughness along (cos theta_z, -sin theta_z, 0).
-/// theta_x, theta_y  lean the distribution. Angles are taken modulo 2 pi; up to pi either way costs 0.6 eps of the
-///          direction, more whole turns theta eps, and beyond 1e6 either way results are unspecified.
+/// alpha             from 1e-6 to 100. In 2 and 4 it is taken as at least 2^-60, without sign.
+/// theta_z           turns the axes of alpha about n: alpha_x is the roughness along (cos theta_z, -sin theta_z, 0).
+/// theta_x, theta_y  lean the distribution.
+///
+/// Angles are in radians, modulo 2 pi. Up to pi either way they cost 0.6 eps of the direction, more whole turns theta
+/// eps. Beyond 1e6 either way results are unspecified.
 struct Ellipsoid {
   Columns2 alpha;
   Column theta_x, theta_y, theta_z;
@@ -30,8 +31,8 @@ struct Ellipsoid {
       : alpha(alpha_), theta_x(theta_x_), theta_y(theta_y_), theta_z(theta_z_) {}
 };
 
-/// One ellipsoid for a whole batch, ready for use: five numbers and what is computed from them. Unset it is the
-/// unit sphere: alpha = 1.
+/// One ellipsoid for a whole batch, ready for use: a matrix, and what is computed from it. By default the unit sphere,
+/// alpha = 1.
 class Shape {
  public:
   constexpr Shape() noexcept = default;
@@ -44,46 +45,45 @@ class Shape {
 
 enum class ShapeError { none, not_finite, not_positive, out_of_range };
 
-/// Shape of a general matrix A, row by row: eq. 1 with n = +z. A positive factor, or a rotation on the left, changes
-/// nothing but roundings: what is kept is the lower triangle with A n = n that they leave of A. |A| must be more than
-/// 2^-40 |a1| |a2| |a3|, with the columns' lengths, the triangle's diagonal between 2^-26 and 2^26 and the rest of it
-/// at most 2^26; else `shape` is unchanged, and the answer is the reason.
+/// The shape of a general matrix A, row by row: eq. 1 with n = +z. A positive factor of A, or a rotation on its left,
+/// changes nothing but roundings: both leave the same lower triangle with A n = n, which is what is kept.
+///
+/// Domain   |A| > 2^-40 |a1| |a2| |a3|, with the lengths of the columns; the triangle's diagonal from 2^-26 to 2^26,
+///          the rest of it at most 2^26. For any other A `shape` is unchanged, and the answer is the reason.
 [[nodiscard]] ShapeError make_shape(const float (&a)[9], Shape& shape) noexcept;
 
 /// One line for people.
 const char* message(ShapeError error) noexcept;
 
-/// sample_normals of vndf.h, step by step Walter's version 3, section 4.1, with A^T p / |A^T p| for the normal and the
-/// density of eq. 33. wm.z >= 0, and wo.wm >= 0 but for rounding.
+/// sample_normals of vndf.h. Views for which A wo points away from A n are sampled as well. wm.z >= 0, and wo.wm >= 0
+/// but for rounding.
 ///
-/// wo, u, wm, warp  as there. Views for which A wo points away from A n are sampled as well.
+/// Azimuths count from the view's; on the cap from the one opposite. Those of a view along n count from the x axis of
+/// theta_z = 0; for shapes of make_shape from the normal of A y and A n.
 ///
-/// For theta = 0 the bits of vndf.h; for theta_x = theta_y = 0 its samples in a frame turned about n. Azimuths count
-/// from the view's, on the cap from the one opposite; those of a view along n from the x axis of theta_z = 0, and for
-/// shapes of make_shape from the normal of A y and A n.
-///
-/// Ratio, see vndf.h, against Walter's eq. 34-47 with the triangle of A in quadruple precision: at most 16 for any
-/// angles and alpha up to 1. Beyond, A^T of leaning ellipsoids cancels, and random numbers finer than 2^-24 show it: 72
-/// measured.
-///
-/// Where the matrix is worked out, the second way and the fourth, alpha is taken as at least 2^-60, without sign. NaN
-/// or infinity in any input of a lane: unspecified values or NaN in that lane.
+/// Error    ratio at most 16 for any angles and alpha up to 1. Beyond, A^T of leaning ellipsoids cancels, and random
+///          numbers finer than 2^-24 show it: 72 measured.
+/// Special  theta = 0: the bits of vndf.h. theta_x = theta_y = 0: its samples, in a frame turned about n.
+/// Source   Walter et al. 2015, version 3 of section 4.1, eq. 34-47, step by step, with A^T p / |A^T p| for the normal;
+///          density of eq. 33.
 void sample_normals(Warp warp, std::size_t count, const Columns3& wo, const Ellipsoid& ellipsoid, const Columns2& u,
                     const Out3& wm) noexcept;
 void sample_normals(Warp warp, std::size_t count, const Columns3& wo, const Shape& shape, const Columns2& u,
                     const Out3& wm) noexcept;
 
-/// sample_reflection of vndf.h: wi, eq. 47; pdf, eq. 48; weight, eq. 50 without Fresnel's factor, in [0, 1]. Masking is
-/// G = G1(wo) G1(wi), eq. 5, with the minimum of eq. 6: the height-correlated one is not defined with it, and neither
-/// is bounded sampling. For theta = 0 and views with z >= 0 the bits of vndf.h with separable masking.
+/// sample_reflection of vndf.h: wi, eq. 47; pdf, eq. 48; weight, eq. 50 without Fresnel's factor, in [0, 1].
+///
+/// Masking is G = G1(wo) G1(wi), eq. 5, with the minimum of eq. 6. Height-correlated masking and bounded sampling are
+/// not defined for ellipsoids. For theta = 0 and views with z >= 0 the bits are those of vndf.h with separable masking.
 void sample_reflection(Warp warp, std::size_t count, const Columns3& wo, const Ellipsoid& ellipsoid, const Columns2& u,
                        const ReflectionSamples& out) noexcept;
 void sample_reflection(Warp warp, std::size_t count, const Columns3& wo, const Shape& shape, const Columns2& u,
                        const ReflectionSamples& out) noexcept;
 
 /// evaluate_reflection of vndf.h: f_cos = D(h) G1(wo) G1(wi) / (4 wo.z), eq. 4, and the pdf of sample_reflection. Both
-/// are 0 where wo.z < 0 or wi.z <= 0. For theta = 0 as above. Ratio at most 20,
-/// p99.9 8, for alpha up to 1.
+/// are 0 where wo.z < 0 or wi.z <= 0. Bits for theta = 0: as for sample_reflection.
+///
+/// Error    ratio at most 20, p99.9 8, for alpha up to 1.
 void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& wi, const Ellipsoid& ellipsoid,
                          const Evaluations& out) noexcept;
 void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& wi, const Shape& shape,
@@ -94,20 +94,25 @@ void pdf_normals(std::size_t count, const Columns3& wo, const Columns3& wm, cons
                  float* pdf) noexcept;
 void pdf_normals(std::size_t count, const Columns3& wo, const Columns3& wm, const Shape& shape, float* pdf) noexcept;
 
-/// sample_dielectric of vndf.h: eta, u and the outputs as there, the density of eq. 33 with the Jacobians of Walter et
-/// al. 2007, eq. 14 and 17. Masking is G = G1(wo) G1(wi) for reflection and for refraction, each direction turned to
-/// the upper hemisphere, eq. 7, so that views from below see the same ellipsoid, mirrored in the origin; the weight is
-/// that of eq. 50 for either, in [0, 1]. For theta = 0 as above, but for weights across of columns of zeros as theta_x
-/// or theta_y, which are within 4 eps of those bits. pdf agrees with evaluate_dielectric as there, alpha being the
-/// smaller one.
+/// sample_dielectric of vndf.h, with the density of eq. 33 and the Jacobians of Walter et al. 2007, eq. 14 and 17.
+///
+/// Masking is G = G1(wo) G1(wi) for reflection and for refraction, each direction turned to the upper hemisphere,
+/// eq. 7: views from below see the same ellipsoid, mirrored in the origin. The weight is that of eq. 50 for both, in
+/// [0, 1].
+///
+/// For theta = 0 the bits are those of vndf.h with separable masking, with one exception: where theta_x or theta_y are
+/// columns of zeros, weights of refraction are within 4 eps of those. pdf agrees with evaluate_dielectric but for the
+/// rounding of wi.
 void sample_dielectric(Warp warp, std::size_t count, const Columns3& wo, const Ellipsoid& ellipsoid, const Column& eta,
                        const Columns3& u, const DielectricSamples& out) noexcept;
 void sample_dielectric(Warp warp, std::size_t count, const Columns3& wo, const Shape& shape, const Column& eta,
                        const Columns3& u, const DielectricSamples& out) noexcept;
 
 /// evaluate_dielectric of vndf.h: f(wo, wi) |wi.z| of Walter et al. 2007, eq. 20 and 21, with D of eq. 1 and G of
-/// eq. 7, and the pdf of sample_dielectric. f / eta^2 of the side of wi is symmetric. For theta = 0 as there, f_cos as
-/// the weights. Ratio at most 20, p99.9 8, for alpha up to 1.
+/// eq. 7, and the pdf of sample_dielectric. f / eta^2 of the side of wi is symmetric. Bits for theta = 0: as for
+/// sample_dielectric, f_cos as the weight.
+///
+/// Error    ratio at most 20, p99.9 8, for alpha up to 1.
 void evaluate_dielectric(std::size_t count, const Columns3& wo, const Columns3& wi, const Ellipsoid& ellipsoid,
                          const Column& eta, const Evaluations& out) noexcept;
 void evaluate_dielectric(std::size_t count, const Columns3& wo, const Columns3& wi, const Shape& shape,

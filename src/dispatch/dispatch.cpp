@@ -53,7 +53,7 @@ __attribute__((noinline, cold)) const Row* choose() noexcept {
     error = find(name, best);
     complain = error != IsaError::none;
   }
-  // Threads that come here together agree on one choice, and the one that made it speaks.
+  // Threads that come here together agree on one choice. Only the thread that made it reports a wrong name.
   const Row* expected = nullptr;
   if (!chosen.compare_exchange_strong(expected, best, std::memory_order_acq_rel)) return expected;
   if (complain) std::fprintf(stderr, "vndf: VNDF_ISA=%s ignored, using %s: %s\n", name, best->name, message(error));

@@ -15,14 +15,14 @@ std::size_t active_row() noexcept;
 /// The shape of an ellipsoid of five constants: make_shape.cpp.
 Shape shape_of(const Ellipsoid& constants) noexcept;
 
-/// The kernel of an enumerator, which must be one.
+/// The kernel of an enumerator. Asserts that it is in its range.
 template <class Kernel, std::size_t N, class Enum>
 const Kernel& of(const Kernel (&kernels)[N], Enum which) noexcept {
   assert(static_cast<std::size_t>(which) < N);
   return kernels[static_cast<std::size_t>(which)];
 }
 
-/// A count that columns of floats can have, and columns to write it to.
+/// Asserts that columns of floats can have this count, and that there are columns to write to.
 template <class... Columns>
 void expect_written([[maybe_unused]] std::size_t count, [[maybe_unused]] Columns... columns) noexcept {
   assert(count <= PTRDIFF_MAX / sizeof(float));

@@ -1,5 +1,5 @@
-// The columns of a call as a kernel sees them. They stand at the beginning of a block: load(i) and store(i) count from
-// there.
+// The columns of a call as a kernel sees them. They stand at the beginning of a block, and load(i) and store(i) count
+// from there.
 #pragma once
 
 #include <vndf/lanes.h>
@@ -22,7 +22,7 @@ using lanes::Vec3;
 /// A vector of the instruction set.
 using Vector = VNDF_BATCH;
 constexpr std::size_t kWidth = lanes::kWidth<Vector>;
-/// Vectors at once, see cmake/isa.cmake.
+/// How many vectors a kernel takes at once, see cmake/isa.cmake.
 constexpr int kVectors = VNDF_VECTORS;
 constexpr std::size_t kAtOnce = kVectors * kWidth;
 
@@ -30,15 +30,15 @@ constexpr std::size_t kAtOnce = kVectors * kWidth;
 constexpr std::size_t kBlock = 256;
 static_assert(kBlock % kAtOnce == 0);
 
-/// A column of a call, and where it stands: `load(i)` counts from there. Nothing but pointers: a kernel copies its
-/// columns to itself, so that no store can be one to them.
+/// An input column of a call, and where it stands. It holds nothing but pointers, and run_block copies it with its
+/// kernel: so compilers know that no store to an output changes it.
 class InColumn {
  public:
   VNDF_INLINE InColumn(const vndf::Column& given) : given_(&given), at_(given.data) {}
 
   VNDF_INLINE const vndf::Column& given() const { return *given_; }
   VNDF_INLINE void stand_at(const float* at) { at_ = at; }
-  /// Unless it is a constant, of which all stand alike.
+  /// A constant stays where it stands: all its values are the same.
   VNDF_INLINE void move_to(std::size_t begin) {
     if (given_->data) at_ = given_->data + begin;
   }

@@ -3,20 +3,19 @@
 // A kernel is a struct of named columns, with
 //   inputs(f), outputs(f)   f of each column
 //   prepare(n)              what a surface works out before a block of n lanes
-//   at<F>(i)                loads F from the inputs at lane i, computes, and stores; no output before the last input,
-//   over
-//                           which it may lie
+//   at<F>(i)                loads F from the inputs at lane i, computes, and stores. All loads come before the first
+//                           store, since an output may be the same column as an input
 #pragma once
 
 #include "columns.h"
 
 namespace {
 
-/// Batches of this many lanes are written past the caches where their columns are aligned for it: their columns are
-/// larger than a core's share of any last-level cache, and a line that is only written need not be read first.
+/// Batches of at least this many lanes are written past the caches, where their columns are aligned for it. Such
+/// columns are larger than a core's share of any last-level cache, and a line written whole need not be read first.
 constexpr std::size_t kStreaming = std::size_t(1) << 20;
 
-/// The columns of a kernel, and how it is run over n lanes, whole vectors.
+/// The columns of a kernel, and the function that runs it over n lanes, whole vectors.
 struct Walk {
   InColumn* in[16];
   OutColumn* out[16];
@@ -25,17 +24,17 @@ struct Walk {
   const void* kernel;
 };
 
-/// A block of each column, where the column of the call will not do.
+/// A block for each column, where the column of the call will not do: for constants, tails and streaming.
 using Buffers = float[16][kBlock];
 
-/// A constant is a column that stays where it is, a block long.
+/// A constant becomes a column of one block, which stays where it is.
 VNDF_NOINLINE const float* fill(float* buffer, float value, std::size_t n) {
   for (std::size_t i = 0; i < n; i += kWidth) op::store(Vector(value), buffer + i);
   return buffer;
 }
 
-/// A batch that is written past the caches: a kernel writes its blocks to buffers, from where each column goes out line
-/// after line.
+/// Walks a batch that is written past the caches. The kernel writes a block to buffers; from there each column goes out
+/// line after line.
 VNDF_NOINLINE void walk_streaming(std::size_t count, const Walk& w, Buffers& buffers) {
   for (std::size_t begin = 0, n; begin < count; begin += n) {
     n = count - begin < kBlock ? count - begin : kBlock;
@@ -49,8 +48,8 @@ VNDF_NOINLINE void walk_streaming(std::size_t count, const Walk& w, Buffers& buf
   op::finish_streaming();
 }
 
-/// Block after block. What is left of a vector is a block by itself, of copies. One function for all kernels of an
-/// object.
+/// Walks block after block. The last lanes, fewer than a vector, are a block of copies. Not inlined: one function for
+/// all kernels of an object.
 VNDF_NOINLINE void walk(std::size_t count, const Walk& w) {
   alignas(64) Buffers in, out;
   const std::size_t rest = count % kWidth, whole = count - rest;
@@ -83,7 +82,8 @@ VNDF_NOINLINE void walk(std::size_t count, const Walk& w) {
   }
 }
 
-/// Several vectors at once, so that as many chains of dependent operations overlap, then one at a time.
+/// A kernel over a block: several vectors at once, so that as many chains of dependent operations overlap, then one at a
+/// time.
 template <class Kernel>
 void run_block(const void* pointer, std::size_t n) {
   const Kernel kernel = *static_cast<const Kernel*>(pointer);  // so that no store can be one to its columns

@@ -17,7 +17,7 @@ namespace {
 /// Plain GGX: A = diag(alpha_x, alpha_y, 1).
 struct Alpha {
   using Given = vndf::Columns2;
-  using Masking = lanes::Smith<false>;  // unless a function says otherwise
+  using Masking = lanes::Smith<false>;  // unless a kernel is given another
   struct Room {};
   InColumns2 alpha;
 
@@ -79,7 +79,7 @@ struct TurnedAlpha {
   }
 };
 
-/// An aggregate of lanes, a block of it.
+/// A block of an aggregate of lanes, such as a triangle.
 template <template <class> class Lanes>
 class Staged {
  public:
@@ -96,7 +96,7 @@ class Staged {
   static constexpr std::size_t kMembers = sizeof(Lanes<float>) / sizeof(float);
   using Members = std::make_index_sequence<kMembers>;
 
-  // Member by member: a copy of the whole may go through memory, in pieces that stall its reads.
+  // Member by member: a copy of the whole may go through memory, in pieces whose reads stall.
   template <class F, std::size_t... m>
   VNDF_INLINE void store(std::size_t i, const Lanes<F>& value, std::index_sequence<m...>) {
     (op::store(reinterpret_cast<const F*>(&value)[m], lanes_[m] + i), ...);
@@ -129,8 +129,8 @@ struct ForPairs {
   }
 };
 
-/// The matrix A of any ellipsoid, which leans: one for the batch, which is worked out once, or one for each lane,
-/// worked out block by block from its angles. What a kernel loads is the same.
+/// The matrix A of any ellipsoid, leaning or not. One for the batch is worked out once; one for each lane is worked out
+/// block by block, from its angles. A kernel loads it in the same way.
 template <class For>
 class Matrix {
  public:
@@ -167,7 +167,7 @@ class Matrix {
   }
 
  private:
-  // A constant expression: a call of Column's constructor could be what another set's object is linked to.
+  // A constant expression, since a call of Column's constructor could be linked to the copy of another set's object.
   static constexpr vndf::Ellipsoid kNone{vndf::Columns2{0.f, 0.f}};
 
   VNDF_INLINE Matrix(const Given& given, const vndf::Ellipsoid& e, std::size_t count, Room& room)
@@ -185,7 +185,7 @@ class Matrix {
     for (std::size_t i = 0; i < kBlock && i < count; i += kWidth) room.store(i, kept);
   }
 
-  // One function for all kernels of an object.
+  // Not inlined: one function for all kernels of an object.
   VNDF_NOINLINE static void work_out(std::size_t n, InColumns2 alpha, InColumn theta_x, InColumn theta_y,
                                      InColumn theta_z, Room& room) {
     for (std::size_t i = 0; i < n; i += kWidth)

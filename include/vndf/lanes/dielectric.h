@@ -97,7 +97,7 @@ VNDF_INLINE F dielectric_weight(F side, const SeenView<F>& view, F wi_z, const M
   return weight;
 }
 
-/// Of a sampled direction.
+/// The density and the weight of a sampled direction.
 template <class F, class Masking, class Shadowing>
 VNDF_INLINE Weighed<F> weigh_dielectric(const SeenView<F>& view, F wi_z, F spread, const Crossing<F>& at,
                                         const Index<F>& index, const Masking& masking, const Shadowing& shadowing) {
@@ -138,8 +138,8 @@ VNDF_INLINE DielectricSample<F> sample_dielectric(const Vec3<F>& wo_given, const
   return {mirrored(below, wi), weighed.pdf, weighed.weight, at.side, index_matched(index)};
 }
 
-/// The direction that `sample` leaves in, turned back from the frame that wo was turned to. Straight on it is -wo to
-/// the last bit, which turning and turning back is not.
+/// The direction in which `sample` leaves, turned back from the frame that wo was turned to. Straight on it is -wo to
+/// the last bit; turning and turning back would lose that.
 template <class F>
 VNDF_INLINE Vec3<F> turn_back(const DielectricSample<F>& sample, const Vec3<F>&, XAxis) {
   return sample.wi;

@@ -24,10 +24,10 @@ VNDF_INLINE DiskPoint<F> polar_map(Vec2<F> u) {
   return {u.x, (F(1.f) - u.x) + F(kRim), sincos2pi(u.y)};
 }
 
-/// Where in the square: a = 2 u1 - 1 and b = 2 u2 - 1, of which r is the larger and x the quotient of the smaller and
-/// r, all without sign.
+/// Where in the square u lies. With a = 2 u1 - 1 and b = 2 u2 - 1, r is the larger of |a| and |b|, and x the smaller
+/// over r.
 ///
-/// rim = 1 - r comes first: 1 - |a| is 2 min(u, 1 - u), exact for every float, and a itself is not.
+/// rim = 1 - r comes first: 1 - |a| is 2 min(u, 1 - u), which is exact for every float. a itself is not.
 template <class F>
 struct Wedge {
   F a, b;            // for their signs
@@ -87,9 +87,9 @@ VNDF_INLINE Vec2<F> cartesian(const DiskPoint<F>& t) {
 /// The vertical chord of the disk through (t1, t2), seen from that point. With w = sqrt(1 - t1^2) and d = w + |t2|:
 /// top = d (w - t2), bottom = d (w + t2), across = 2 d t1, and tilt = bottom - top = 2 d t2.
 ///
-/// The factor d makes the two distances e and d^2, in the order that the sign of t2 says, so neither is the difference
-/// of two near numbers, and nor is their own; what follows needs directions only and carries the factor along. So it
-/// does a power of two that keeps the largest of the three near 1: at t = (+-1, 0) all of the chord vanishes.
+/// With the factor d, the two distances are e and d^2, in the order that the sign of t2 says. Neither is a difference
+/// of two near numbers, nor is tilt. What follows needs directions only, so it carries the factor along. It also
+/// carries a power of two that keeps the larger of e and r d near 1, since at t = (+-1, 0) all of the chord vanishes.
 template <class F>
 struct Chord {
   F top, bottom, across, tilt;

@@ -27,19 +27,19 @@ VNDF_INLINE F squared_minus_1(const Index<F>& index) {
   return index.minus_1 * (index.eta + F(1.f));
 }
 
-/// Where the index differs by less, the surface is index-matched: light passes straight on, as a delta.
+/// Where eta differs from 1 by less, the surface is index-matched: light passes straight on, as a delta.
 constexpr float kIndexMatched = 0x1p-16f;
 template <class F>
 VNDF_INLINE Mask<F> index_matched(const Index<F>& index) {
   return op::abs(index.minus_1) < F(kIndexMatched);
 }
-/// Not so 0, negative numbers, infinity and NaN.
+/// 0, negative numbers, infinity and NaN are not possible.
 template <class F>
 VNDF_INLINE Mask<F> possible(const Index<F>& index) {
   return (index.eta > F(0x1p-20f)) & (index.eta < F(0x1p20f));
 }
 
-/// Where squares and inverses of eta magnify what is rounded beside them.
+/// Small eta, whose squares and inverses magnify what is rounded beside them.
 template <class F>
 VNDF_INLINE Mask<F> is_small(const Index<F>& index) {
   return index.eta < F(0.5f);

@@ -19,13 +19,14 @@ struct ScaledView {
 /// The elevation of the view in the hemisphere configuration, Vh = A V / |A V|.
 template <class F>
 struct Elevation {
-  F inv_length;   // 1 / |A V| in the scale of the view: sqrt(1 - Vh.z^2) = sqrt(r2) inv_length
-  F z;            // Vh.z
-  F one_plus_z;   // each to full relative accuracy, whichever of them is
-  F one_minus_z;  // the small one
+  F inv_length;  // 1 / |A V| in the scale of the view: sqrt(1 - Vh.z^2) = sqrt(r2) inv_length
+  F z;           // Vh.z
+  // Each to full relative accuracy, the small one of them too.
+  F one_plus_z;
+  F one_minus_z;
 };
 
-/// Vh with its azimuth, the direction of (x, y), and its elevation apart.
+/// Vh as an azimuth, the direction of (x, y), and an elevation.
 template <class F>
 struct HemisphereView {
   F x, y, r2;
@@ -36,12 +37,12 @@ VNDF_INLINE HemisphereView<F> hemisphere_view(const ScaledView<F>& v, const Elev
   return {v.x, v.y, v.r2, e.inv_length, e.z, e.one_plus_z, e.one_minus_z};
 }
 
-/// Section 3.2, eq. 5, from h = A V, as far as the length.
+/// Section 3.2, eq. 5, from h = A V, up to the length of h.
 ///
 /// Scaling by a power of two is exact, takes views of any length and lets near-normal views, whose azimuth components
-/// would square to nothing, keep them. A tangent under 2^-46 is taken as 2^-46 and changes no normal by more than
-/// that over alpha. `norm` is |A V|, which the densities need. Azimuth components under 2^-110 are taken as the
-/// direction where azimuths begin.
+/// would square to nothing, keep them. A tangent under 2^-46 is taken as 2^-46, which changes no normal by more than
+/// that over alpha. Azimuth components under 2^-110 are taken as the direction where azimuths begin. `norm` is |A V|,
+/// which the densities need.
 constexpr float kSmallestAzimuth = 0x1p-110f;
 template <class F, class Azimuth = XAxis>
 VNDF_INLINE ScaledView<F> scale_view(const Vec3<F>& h, Azimuth azimuth, F& norm) {
@@ -68,7 +69,7 @@ VNDF_INLINE ScaledView<F> scale_view(const Vec3<F>& h, Azimuth azimuth, F& norm)
   return {x, y, op::with_sign_of(abs_z, h.z), r2, length};
 }
 
-/// The rest of it: 1 - |z| = r2 / (length (length + |z| length)), no difference taken.
+/// The rest of eq. 5: 1 - |z| = r2 / (length (length + |z| length)), without a difference.
 template <class F>
 VNDF_INLINE Elevation<F> elevation_of(const ScaledView<F>& v) {
   F abs_z = op::abs(v.z);
@@ -141,7 +142,7 @@ VNDF_INLINE LongNormal<F> stretch_normal(const Vec3<F>& nh, const Shape& shape) 
   return {{p.x, p.y, op::select(none, F(2.f), p.z)}, op::select(none, F(4.f), p2)};
 }
 
-/// The rest of eq. 6: Ne = A^T Nh / |A^T Nh|. And back from a frame that is turned.
+/// The rest of eq. 6, Ne = A^T Nh / |A^T Nh|, turned back from the frame that theta_z turned.
 template <class F, class Shape = Vec2<F>, class Theta = XAxis>
 VNDF_INLINE Vec3<F> map_from_hemisphere(const Vec3<F>& nh, const Shape& shape, const Theta& theta_z = {}) {
   auto normal = stretch_normal(nh, shape);

@@ -1,9 +1,10 @@
 // Masking of the view and shadowing of the light: Smith's G, and the lunes of leaning ellipsoids.
 //
-// With a = |A v|, A = diag(alpha_x, alpha_y, 1), everything of it is rational in a and v.z:
+// Smith's functions are rational in v.z and a = |A v|, with A = diag(alpha_x, alpha_y, 1):
 // 1 + Lambda(v) = (a + v.z) / (2 v.z), and (a + v.z) / 2 is the projected area of what v sees.
 //
-// A masking has `shadowing(wi, shape)`, what it takes from the light's direction, and `weight`, G2(wo, wi) / G1(wo).
+// A masking has two functions: `shadowing(wi, shape)`, what it needs of the light's direction, and `weight`,
+// G2(wo, wi) / G1(wo).
 #pragma once
 
 #include <vndf/lanes/shape.h>
@@ -67,7 +68,7 @@ VNDF_INLINE F at_most_one(F weight) {
 /// leaves.
 template <bool separable>
 struct Smith {
-  /// Refraction is masked otherwise than reflection.
+  /// Refraction and reflection are masked differently.
   static constexpr bool kTellsSides = true;
 
   /// |A wi|.
@@ -94,7 +95,7 @@ constexpr Smith<true> kSeparable;
 /// G = G1(wo) G1(wi), eq. 5, with G1(v) = min(1, 2 v.z / (|A v| + (A v).z)), eq. 6. Leaning ellipsoids can show less
 /// than the surface that they stand for; the minimum keeps G1 plausible.
 struct Lunes {
-  /// The light's side does not matter: it is turned to the view's.
+  /// The side of the light does not matter: wi is turned to the side of the view.
   static constexpr bool kTellsSides = false;
 
   /// G1(wi) as a quotient of two positive numbers.

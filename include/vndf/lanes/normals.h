@@ -24,7 +24,7 @@ VNDF_INLINE Vec3<F> sample_normal(const Vec3<F>& wo, const Shape& shape, Vec2<F>
   }
 }
 
-/// Of plain GGX whose axes theta_z turns about n.
+/// The same for plain GGX whose axes theta_z turns about n.
 template <class Warp, class F>
 VNDF_INLINE Vec3<F> sample_normal_turned(const Vec3<F>& wo, Vec2<F> alpha, F theta_z, Vec2<F> u) {
   auto rotation = rotation_of(theta_z);

@@ -10,7 +10,7 @@
 namespace vndf::lanes {
 inline namespace VNDF_LANES_BUILD {
 
-/// By whole quarter turns, the number of which is in the two lowest bits: (x, y), (-y, x), (-x, -y) or (y, -x).
+/// A rotation by n quarter turns, of which the two lowest bits count: (x, y), (-y, x), (-x, -y) or (y, -x).
 template <class F>
 struct QuarterTurns {
   Mask<F> odd;
@@ -53,7 +53,8 @@ struct SmallAngle {
   F x, sin_rest, cos_rest;
 };
 
-/// To 0.4 eps of the direction for |theta| <= pi, and nothing for 0: what a shape's axes lose, small alpha magnifies.
+/// A rotation by theta, to 0.4 eps of the direction for |theta| <= pi, exact for 0. Small alpha magnifies what the axes
+/// of a shape lose.
 template <class F>
 struct Rotation {
   SmallAngle<F> small;
@@ -117,8 +118,7 @@ template <class F>
 VNDF_INLINE Vec3<F> turn(const Vec3<F>& v, const Angle<F>& z) {
   return {z.cos * v.x - z.sin * v.y, z.sin * v.x + z.cos * v.y, v.z};
 }
-/// The same, but what cancels keeps its digits, to 0.6 eps: the large ones of the products are exact, and what they are
-/// taken from is v itself.
+/// The same to 0.6 eps, also where the sums cancel: the large products are exact, and they are taken from v itself.
 template <class F>
 VNDF_INLINE Vec3<F> turn(const Vec3<F>& v, const Versed<F>& z) {
   F less = z.versine;

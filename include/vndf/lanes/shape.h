@@ -8,7 +8,7 @@
 // is that Vh can be below the horizon for a view above it, and the other way round.
 //
 // theta_z turns the frame of the directions about n. Sampling turns the view on the way in and the result on the way
-// out; for a given pair of directions the shape is Turned, and they stay as they are.
+// out. A given pair of directions stays as it is, and the shape is a TurnedAlpha (shape_for_pairs.h).
 //
 // The products A v and Rz v are sums that can cancel, for views near the horizon of the leaning ellipsoid, or along the
 // narrow axis of a turned one; small alpha magnifies what is lost then. Hence A and the angle are given in two parts,
@@ -30,7 +30,7 @@ template <class F, class Element>
 struct TriangleOf {
   F xx;
   Element yx, yy, zx, zy;
-  // Of the x axis that the triangle has for theta_z = 0. Azimuths count from there, so that theta_z turns the samples.
+  // Of the x axis that the triangle has for theta_z = 0. Azimuths count from it, so that theta_z turns the samples.
   Angle<F> azimuth;
 };
 /// For the view: in two parts.
@@ -40,7 +40,7 @@ using Triangle = TriangleOf<F, Split<F>>;
 template <class F>
 using FloatTriangle = TriangleOf<F, F>;
 
-/// Roughness of which something can be divided by: at least 2^-60, without sign.
+/// Roughness that one can divide by: at least 2^-60, without sign.
 template <class F>
 VNDF_INLINE F at_least_mirror(F alpha) {
   constexpr float kMirror = 0x1p-60f;

@@ -12,8 +12,8 @@
 namespace vndf::lanes {
 inline namespace VNDF_LANES_BUILD {
 
-/// The random numbers' share of a point of the cap: u2 grows from its pole to its rim, and phi counts from the
-/// direction opposite to the view, counter-clockwise.
+/// A point of the cap, as far as the random numbers say. u2 grows from the pole of the cap to its rim; phi counts from
+/// the direction opposite to the view, counter-clockwise.
 template <class F>
 struct CapPoint {
   F u2, v;  // v = 1 - u2
@@ -53,14 +53,14 @@ struct CapView {
   F plus, minus;
   F scale;  // the power of two
 };
-/// What takes lengths back to those of A V.
+/// The factor that takes lengths back to those of A V.
 template <class F>
 VNDF_INLINE F unscale(const CapView<F>& view) {
   return op::from_bits(Int<F>(0x7f000000) - op::bits(view.scale));
 }
 
-/// Section 3.2 of Heitz 2018, eq. 5, from h = A V. Azimuths of a tangent under 2^-56 are that of `azimuth`: nothing
-/// that a normal is made of is small then.
+/// Section 3.2 of Heitz 2018, eq. 5, from h = A V. Where the tangent is under 2^-56 the azimuth is `azimuth`: nothing
+/// that a normal is made of is small there.
 template <class F, class Azimuth = XAxis>
 VNDF_INLINE CapView<F> cap_view(const Vec3<F>& h, Azimuth azimuth = {}) {
   constexpr std::int32_t kScale = 16, kBias = 127, kExponent = 23;
@@ -93,8 +93,8 @@ struct CapNormal {
   F per_cos;
 };
 
-/// Keeps a normal from under 2^-63 where u2 is nearly 0 and the view along the normal: its height would vanish with r^2
-/// though its direction does not.
+/// Keeps a normal from being shorter than 2^-63 where u2 is nearly 0 and the view is along the normal: its height would
+/// vanish with r^2, though its direction does not.
 constexpr float kPole = 0x1p-68f;
 
 /// c + Vh from its component towards the view's azimuth, its component across and its height.

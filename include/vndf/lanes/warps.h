@@ -1,5 +1,6 @@
-// The warps from the unit square to visible normals. A warp says where on the disk of Heitz 2018 a pair of random
-// numbers lies, and where on a spherical cap; kOnDisk is which of the two its visible normals are made of.
+// The warps from the unit square to visible normals. A warp takes a pair of random numbers to a point of the disk of
+// Heitz 2018, to a point of a spherical cap, or to both. kOnDisk says which of the two its visible normals are made
+// from; kBounded, that the cap is the smaller one of Bounded.
 #pragma once
 
 #include <vndf/lanes/disk.h>
@@ -21,7 +22,7 @@ struct Polar {
   }
 };
 
-/// Shirley and Chiu 1997; Walter et al. 2015, eq. 34-37. On a cap by Lambert's map too.
+/// Shirley and Chiu 1997; Walter et al. 2015, eq. 34-37. On a cap, by Lambert's map too.
 struct Concentric {
   static constexpr bool kOnDisk = true, kBounded = false;
   template <class F>
