@@ -37,9 +37,9 @@ void add_quad(Scene& scene, Vec3 corner, Vec3 u, Vec3 v, int material) {
 }
 
 struct Metal {
-  Vec3 n, k;  // at 650, 550 and 450 nm, rounded
+  Vec3 n, k;  // at about 630, 532 and 465 nm, rounded
 };
-constexpr Metal kGold{{0.17f, 0.35f, 1.5f}, {3.1f, 2.7f, 1.9f}}, kSilver{{0.16f, 0.14f, 0.13f}, {4.0f, 3.3f, 2.4f}},
+constexpr Metal kGold{{0.19f, 0.54f, 1.33f}, {3.0f, 2.23f, 1.87f}}, kSilver{{0.16f, 0.14f, 0.13f}, {4.0f, 3.3f, 2.4f}},
     kCopper{{0.21f, 0.95f, 1.2f}, {3.6f, 2.6f, 2.4f}}, kSteel{{2.9f, 2.6f, 2.3f}, {3.3f, 3.1f, 2.9f}};
 
 Material conductor(Metal metal, float alpha_x, float alpha_y) {
@@ -118,21 +118,21 @@ Texture engine_turned(int size, double rings) {
 
 /// Late afternoon: warm about the sun and along the horizon, blue above, dim earth below.
 Environment evening() {
-  Vec3 sun = normalize({-0.62f, 0.42f, -0.30f});
-  Environment e = make_environment(512, [&](Vec3 d) {
+  Vec3 sun = normalize({-0.60f, 0.36f, -0.58f});
+  Environment e = make_environment(256, [&](Vec3 d) {
     float up = std::max(0.f, d.y), c = std::max(0.f, dot(d, sun));
     float c2 = c * c, c8 = c2 * c2 * c2 * c2, c64 = c8 * c8 * c8 * c8 * c8 * c8 * c8 * c8;
-    float haze = 1.f / (1.f + 5.f * up), low = haze * haze;
-    Vec3 sky = (1.f - haze) * Vec3{0.10f, 0.22f, 0.52f} + haze * Vec3{0.42f, 0.50f, 0.62f} +
+    float haze = 1.f / (1.f + 7.f * up), low = haze * haze;
+    Vec3 sky = (1.f - haze) * Vec3{0.06f, 0.15f, 0.42f} + haze * Vec3{0.22f, 0.30f, 0.42f} +
                (0.6f * low) * ((0.15f + 0.85f * c2) * Vec3{1.0f, 0.52f, 0.22f});
     sky = sky + (0.5f * c8) * Vec3{1.0f, 0.62f, 0.30f} + (1.6f * c64) * Vec3{1.0f, 0.75f, 0.45f};
     if (d.y >= 0.f) return sky;
     return Vec3{0.16f, 0.13f, 0.11f} + std::max(0.f, 1.f + 12.f * d.y) * (sky - Vec3{0.16f, 0.13f, 0.11f});
   });
   e.sun = sun;
-  e.sun_cos = 1.f - 0x1.4p-10f;  // a hazy sun, 2 degrees in radius
+  e.sun_cos = 1.f - 0x1p-8f;  // a hazy sun, 5 degrees in radius
   float radiance = 1.f / (2.f * kPi * (1.f - e.sun_cos));
-  e.sun_radiance = radiance * Vec3{3.4f, 2.5f, 1.55f};
+  e.sun_radiance = radiance * Vec3{3.6f, 2.5f, 1.45f};
   return e;
 }
 
@@ -143,8 +143,10 @@ Scene default_scene() {
   scene.environment = evening();
 
   // The floor, and the disc on it.
-  Material stone;
-  stone.color = {0.20f, 0.19f, 0.185f};
+  Material stone;  // polished
+  stone.kind = Kind::plastic;
+  stone.color = {0.05f, 0.055f, 0.065f};
+  stone.alpha_x = stone.alpha_y = 0.22f;
   add_quad(scene, {-40.f, 0.f, 40.f}, {80.f, 0.f, 0.f}, {0.f, 0.f, -80.f}, add(scene, stone));
   scene.textures.push_back(engine_turned(1024, 11));
   Material turned = conductor(kSteel, 0.09f, 0.30f);
@@ -173,16 +175,16 @@ Scene default_scene() {
     for (int i = 0; i < 7 + 2 * arc; ++i) {
       double share = (i + 0.5) / (7 + 2 * arc), angle = kTurn * (0.5 + 0.02 - 0.54 * share);
       double away = 2.75 + 0.85 * arc, r = 0.30;
-      float alpha = rounded(0.04 + 0.5 * share * share), aspect = 1.f + 2.f * static_cast<float>(arc);
+      float alpha = rounded(0.05 + 0.5 * share * share), aspect = 1.f + 2.f * static_cast<float>(arc);
       int material = add(scene, conductor(metals[arc], std::min(1.f, alpha * std::sqrt(aspect)), alpha / std::sqrt(aspect)));
       add(scene, {rounded(away * std::cos(angle), height + r, -away * std::sin(angle)), rounded(r)}, material);
     }
 
-  add_knot(scene, rounded(0, height + 1.42, -0.35), 0.45, 0.62, add(scene, conductor(kGold, 0.14f, 0.14f)));
+  add_knot(scene, rounded(0, height + 1.22, -0.5), 0.37, 0.66, add(scene, conductor(kGold, 0.10f, 0.10f)));
 
   Material glass;
   glass.kind = Kind::dielectric;
-  glass.alpha_x = glass.alpha_y = 0.06f;
+  glass.alpha_x = glass.alpha_y = 0.10f;
   glass.color = {0.93f, 0.98f, 0.96f};
   add(scene, {rounded(-2.15, height + 0.72, 1.35), rounded(0.72)}, add(scene, glass));
   glass.alpha_x = glass.alpha_y = 0.35f;
@@ -204,9 +206,9 @@ Scene default_scene() {
   panel.emission = {7.f, 7.6f, 9.f};
   add_quad(scene, {3.5f, 5.5f, 4.5f}, {2.5f, 0.6f, -3.f}, {-1.2f, 2.2f, 0.6f}, add(scene, panel));
 
-  scene.camera.from = {0.f, 4.6f, 11.2f};
-  scene.camera.at = {0.f, 0.95f, 0.1f};
-  scene.camera.fov = 39.f;
+  scene.camera.from = {0.f, 3.7f, 11.3f};
+  scene.camera.at = {0.f, 0.85f, 0.f};
+  scene.camera.fov = 41.f;
   scene.camera.lens = 0.03f;
   return scene;
 }

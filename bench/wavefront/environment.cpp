@@ -20,15 +20,8 @@ Texel texel_of(const Environment& e, Vec2 square) {
   auto clamp = [&](float a) { return std::max(0, std::min(static_cast<int>(a * e.size), e.size - 1)); };
   return {clamp(square.x), clamp(square.y)};
 }
-const Vec3& at(const Environment& e, Texel t) {
+const SkyTexel& at(const Environment& e, Texel t) {
   return e.texels[static_cast<std::size_t>(t.y) * e.size + t.x];
-}
-/// Of the texel, in [0, 1]^2.
-float square_pdf(const Environment& e, Texel t) {
-  const float* row = &e.columns[static_cast<std::size_t>(t.y) * e.size];
-  float in_row = row[t.x] - (t.x > 0 ? row[t.x - 1] : 0.f);
-  float of_row = e.rows[t.y] - (t.y > 0 ? e.rows[t.y - 1] : 0.f);
-  return in_row * of_row * e.size * e.size;
 }
 
 }  // namespace
@@ -70,14 +63,20 @@ void prepare(Environment& e) {
       float stretch;
       octahedral_direction({(x + 0.5f) / size, (y + 0.5f) / size}, stretch);
       // Dark texels keep a little: sampling must reach whatever has light.
-      sum += (luminance(e.texels[y * size + x]) + 1e-6) * stretch;
+      sum += (luminance(e.texels[y * size + x].radiance) + 1e-6) * stretch;
       sums[x] = sum;
     }
     for (std::size_t x = 0; x < size; ++x) e.columns[y * size + x] = static_cast<float>(sums[x] / sum);
     of_row[y] = all += sum;
   }
   for (std::size_t y = 0; y < size; ++y) e.rows[y] = static_cast<float>(of_row[y] / all);
-  e.total = static_cast<float>(all);
+  // The density that sampling has: of the rounded sums.
+  for (std::size_t y = 0; y < size; ++y)
+    for (std::size_t x = 0; x < size; ++x) {
+      const float* row = &e.columns[y * size];
+      float in_row = row[x] - (x > 0 ? row[x - 1] : 0.f), of_row = e.rows[y] - (y > 0 ? e.rows[y - 1] : 0.f);
+      e.texels[y * size + x].pdf = 0.25f * in_row * of_row * static_cast<float>(size * size);
+    }
 }
 
 Environment environment_of_latlong(const Texture& map) {
@@ -92,17 +91,11 @@ Environment environment_of_latlong(const Texture& map) {
   });
 }
 
-Vec3 sky_radiance(const Environment& e, Vec3 direction) {
-  if (e.size == 0) return {0.f, 0.f, 0.f};
+Sky sky_at(const Environment& e, Vec3 direction) {
+  if (e.size == 0) return {{0.f, 0.f, 0.f}, 0.f};
   float stretch;
-  return at(e, texel_of(e, octahedral_square(direction, stretch)));
-}
-
-float sky_pdf(const Environment& e, Vec3 direction) {
-  if (e.size == 0) return 0.f;
-  float stretch;
-  Vec2 square = octahedral_square(direction, stretch);
-  return square_pdf(e, texel_of(e, square)) / (4.f * stretch);
+  const SkyTexel& texel = at(e, texel_of(e, octahedral_square(direction, stretch)));
+  return {texel.radiance, texel.pdf / stretch};
 }
 
 LightSample sample_sky(const Environment& e, Vec2 u) {
@@ -115,10 +108,10 @@ LightSample sample_sky(const Environment& e, Vec2 u) {
     return std::max(0.f, std::min((v - from) / (sums[i] - from), 0.9999f));
   };
   Vec2 square{(x + within(row, x, u.x)) / e.size, (y + within(e.rows.data(), y, u.y)) / e.size};
-  Texel texel{static_cast<int>(x), static_cast<int>(y)};
+  const SkyTexel& texel = at(e, {static_cast<int>(x), static_cast<int>(y)});
   float stretch;
   Vec3 wi = octahedral_direction(square, stretch);
-  return {wi, std::numeric_limits<float>::infinity(), at(e, texel), square_pdf(e, texel) / (4.f * stretch)};
+  return {wi, std::numeric_limits<float>::infinity(), texel.radiance, texel.pdf / stretch};
 }
 
 bool in_sun(const Environment& e, Vec3 direction) {

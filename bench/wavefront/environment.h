@@ -21,11 +21,15 @@ Vec2 octahedral_square(Vec3 direction, float& stretch);
 void prepare(Environment& environment);
 Environment environment_of_latlong(const Texture& map);
 
-Vec3 sky_radiance(const Environment& environment, Vec3 direction);
-float sky_pdf(const Environment& environment, Vec3 direction);
+/// Radiance from a direction, without the sun, and the density of sample_sky.
+struct Sky {
+  Vec3 radiance;
+  float pdf;
+};
+Sky sky_at(const Environment& environment, Vec3 direction);
 LightSample sample_sky(const Environment& environment, Vec2 u);
 
-/// The sun is a cone of even brightness; sky_radiance leaves it out.
+/// The sun is a cone of even brightness; sky_at leaves it out.
 bool in_sun(const Environment& environment, Vec3 direction);
 float sun_pdf(const Environment& environment);
 /// `disk` is a point of the unit disk: its distance from the middle is where the cosine comes from, without an angle.
@@ -47,7 +51,7 @@ Environment make_environment(int size, Radiance radiance) {
   for (int y = 0; y < size; ++y)
     for (int x = 0; x < size; ++x) {
       float stretch;
-      environment.texels[static_cast<std::size_t>(y) * size + x] =
+      environment.texels[static_cast<std::size_t>(y) * size + x].radiance =
           radiance(octahedral_direction({(x + 0.5f) / size, (y + 0.5f) / size}, stretch));
     }
   prepare(environment);

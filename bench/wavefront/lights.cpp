@@ -85,8 +85,8 @@ float light_pdf(const Scene& scene, Primitive primitive, Vec3 from, Vec3 positio
 Vec3 escaped_light(const Scene& scene, Vec3 direction, float bsdf_pdf, bool mis) {
   Shares share = shares(scene);
   const Environment& e = scene.environment;
-  Vec3 light = sky_radiance(e, direction);
-  if (mis) light = mis_weight(bsdf_pdf, share.sky * sky_pdf(e, direction)) * light;
+  Sky sky = sky_at(e, direction);
+  Vec3 light = (mis ? mis_weight(bsdf_pdf, share.sky * sky.pdf) : 1.f) * sky.radiance;
   if (in_sun(e, direction)) light = light + (mis ? mis_weight(bsdf_pdf, share.sun * sun_pdf(e)) : 1.f) * e.sun_radiance;
   return light;
 }

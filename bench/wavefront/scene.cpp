@@ -51,8 +51,8 @@ void check(const Scene& s) {
   for (const Texture& t : s.textures)
     for (const Vec3& v : t.texels)
       if (!is_finite(v)) fail("a texture has a texel that is not finite");
-  for (const Vec3& v : s.environment.texels)
-    if (!is_finite(v)) fail("the environment has a texel that is not finite");
+  for (const SkyTexel& t : s.environment.texels)
+    if (!is_finite(t.radiance)) fail("the environment has a texel that is not finite");
 }
 
 /// Surfaces of one kind are shaded together, whatever their roughness: that is a column. But a leaning one is one ellipsoid.

@@ -59,13 +59,16 @@ struct Sphere {
 using Primitive = std::uint32_t;
 constexpr Primitive kNothing = ~0u;
 
+struct SkyTexel {
+  Vec3 radiance;
+  float pdf;  // over the square [-1, 1]^2
+};
 /// Light from far away: a map of the whole sphere of directions, and a sun.
 struct Environment {
   // Octahedral: no trigonometry where it is looked up or sampled. Texels are sampled by their light.
   int size = 0;
-  std::vector<Vec3> texels;
+  std::vector<SkyTexel> texels;
   std::vector<float> rows, columns;  // cumulative
-  float total = 0.f;                 // of texels' weights
   Vec3 sun{0.f, 0.f, 1.f}, sun_radiance{0.f, 0.f, 0.f};
   float sun_cos = 1.f;  // of its angular radius
 };
