@@ -69,17 +69,27 @@ void gather(const Scene& scene, const Settings& settings, Kind kind, std::uint32
   }
 }
 
+/// The point off the surface that rays to a side start from. Light is sampled from there as well: from the surface itself,
+/// the distance to the rim of a sphere would be another one, and the sphere would shade itself.
+Vec3 off_surface(const Scene& scene, const Vertices& v, std::uint32_t i, float side) {
+  return v.position[i] + (side < 0.f ? -scene.epsilon : scene.epsilon) * v.normal[i];
+}
+
 void sample_lights(const Scene& scene, const Settings& settings, Worker& w) {
   Batch& b = w.batch;
   Vertices& v = w.vertices;
   vndf::sample_disk(vndf::DiskMap::concentric, b.count, {v.light_u.data(), v.light_v.data()},
                     {v.disk_x.data(), v.disk_y.data()});
   for (std::uint32_t i = 0; i < b.count; ++i) {
-    v.light[i] = settings.mis ? sample_light(scene, v.position[i], {v.light_u[i], v.light_v[i]},
-                                             {v.disk_x[i], v.disk_y[i]}, v.select[i])
-                              : LightSample{};
-    if (!(v.light[i].pdf > 0.f)) v.light[i] = {v.normal[i], 0.f, {0.f, 0.f, 0.f}, 1.f};
-    b.light.set(i, to_local(v.frame[i], v.light[i].wi));
+    auto from = [&](float side) {
+      return sample_light(scene, off_surface(scene, v, i, side), {v.light_u[i], v.light_v[i]}, {v.disk_x[i], v.disk_y[i]},
+                          v.select[i]);
+    };
+    LightSample& light = v.light[i] = settings.mis ? from(b.wo.z[i]) : LightSample{};
+    // Light on the other side of glass.
+    if (dot(light.wi, v.normal[i]) * b.wo.z[i] < 0.f && std::isfinite(light.distance)) light = from(-b.wo.z[i]);
+    if (!(light.pdf > 0.f)) light = {v.normal[i], 0.f, {0.f, 0.f, 0.f}, 1.f};
+    b.light.set(i, to_local(v.frame[i], light.wi));
   }
 }
 
@@ -164,9 +174,6 @@ Vec3 sample_weight(Kind kind, Batch& b, const Vertices& v, std::uint32_t i) {
 /// The geometry has to agree with the local frame about the side that a direction is on, or light would leak.
 bool right_side(float local_z, float world_cos) {
   return local_z * world_cos > 0.f;
-}
-Vec3 off_surface(const Scene& scene, const Vertices& v, std::uint32_t i, float world_cos) {
-  return v.position[i] + (world_cos < 0.f ? -scene.epsilon : scene.epsilon) * v.normal[i];
 }
 
 void scatter_shadows(const Scene& scene, Kind kind, Worker& w) {
