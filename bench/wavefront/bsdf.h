@@ -20,8 +20,8 @@ struct Batch {
   Columns3 wo{kBatch}, u{kBatch};
   Column<float> alpha_x{kBatch}, alpha_y{kBatch}, theta_z{kBatch}, eta{kBatch};
   Columns3 light{kBatch};  // where light was sampled
-  // Made by shade_batch: the next direction, and what light from either direction counts, without Fresnel's factor but for
-  // glass. Cosines are those of the view to the microfacet's normal.
+  // Made by shade_batch: the next direction, and what light from either direction counts, without Fresnel's factor but
+  // for glass. Cosines are those of the view to the microfacet's normal.
   Columns3 wi{kBatch}, normal{kBatch};
   Column<float> pdf{kBatch}, weight{kBatch}, side{kBatch}, cosine{kBatch};
   Column<float> light_f_cos{kBatch}, light_pdf{kBatch}, light_cosine{kBatch};

@@ -1,5 +1,5 @@
-// The scene that is made by code: an engine-turned metal disc under an evening sky, with arcs of spheres over roughness and
-// anisotropy, a knot, rough glass, and a panel of light.
+// The scene that is made by code: an engine-turned metal disc under an evening sky, with arcs of spheres over roughness
+// and anisotropy, a knot, rough glass, and a panel of light.
 #include <array>
 
 #include "environment.h"
@@ -31,7 +31,8 @@ void add(Scene& scene, const Corner& a, const Corner& b, const Corner& c, int ma
 }
 void add_quad(Scene& scene, Vec3 corner, Vec3 u, Vec3 v, int material) {
   Vec3 n = normalize(cross(u, v));
-  Corner a{corner, n, {0.f, 0.f}}, b{corner + u, n, {1.f, 0.f}}, c{corner + u + v, n, {1.f, 1.f}}, d{corner + v, n, {0.f, 1.f}};
+  Corner a{corner, n, {0.f, 0.f}}, b{corner + u, n, {1.f, 0.f}}, c{corner + u + v, n, {1.f, 1.f}},
+      d{corner + v, n, {0.f, 1.f}};
   add(scene, a, b, c, material);
   add(scene, a, c, d, material);
 }
@@ -71,7 +72,9 @@ void add_closed_surface(Scene& scene, int us, int vs, int material, Point point)
 /// A trefoil knot that stands upright: a tube of radius `tube` about (sin t + 2 sin 2t, cos t - 2 cos 2t, -sin 3t).
 void add_knot(Scene& scene, Vec3 middle, double size, double tube, int material) {
   using Point = std::array<double, 3>;
-  auto line = [](double t) { return Point{std::sin(t) + 2 * std::sin(2 * t), std::cos(t) - 2 * std::cos(2 * t), -std::sin(3 * t)}; };
+  auto line = [](double t) {
+    return Point{std::sin(t) + 2 * std::sin(2 * t), std::cos(t) - 2 * std::cos(2 * t), -std::sin(3 * t)};
+  };
   auto unit = [](Point a) {
     double inv = 1 / std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
     return Point{a[0] * inv, a[1] * inv, a[2] * inv};
@@ -130,9 +133,9 @@ Environment evening() {
     return Vec3{0.16f, 0.13f, 0.11f} + std::max(0.f, 1.f + 12.f * d.y) * (sky - Vec3{0.16f, 0.13f, 0.11f});
   });
   e.sun = sun;
-  e.sun_cos = 1.f - 0x1p-8f;  // a hazy sun, 5 degrees in radius
+  e.sun_cos = 1.f - 0x1p-7f;  // a hazy sun, 7 degrees in radius
   float radiance = 1.f / (2.f * kPi * (1.f - e.sun_cos));
-  e.sun_radiance = radiance * Vec3{3.6f, 2.5f, 1.45f};
+  e.sun_radiance = radiance * Vec3{3.0f, 1.9f, 1.0f};
   return e;
 }
 
@@ -145,8 +148,8 @@ Scene default_scene() {
   // The floor, and the disc on it.
   Material stone;  // polished
   stone.kind = Kind::plastic;
-  stone.color = {0.05f, 0.055f, 0.065f};
-  stone.alpha_x = stone.alpha_y = 0.22f;
+  stone.color = {0.035f, 0.042f, 0.055f};
+  stone.alpha_x = stone.alpha_y = 0.18f;
   add_quad(scene, {-40.f, 0.f, 40.f}, {80.f, 0.f, 0.f}, {0.f, 0.f, -80.f}, add(scene, stone));
   scene.textures.push_back(engine_turned(1024, 11));
   Material turned = conductor(kSteel, 0.09f, 0.30f);
@@ -159,12 +162,14 @@ Scene default_scene() {
   for (int i = 0; i < kSides; ++i) {
     auto on_rim = [&](int at, double y, bool top) {
       double c = std::cos(kTurn * at / kSides), s = std::sin(kTurn * at / kSides);
-      return Corner{rounded(radius * c, y, -radius * s), top ? Vec3{0.f, 1.f, 0.f} : normalize(rounded(c, 0, -s)),
+      return Corner{rounded(radius * c, y, -radius * s),
+                    top ? Vec3{0.f, 1.f, 0.f} : normalize(rounded(c, 0, -s)),
                     {rounded(0.5 + 0.5 * c), rounded(0.5 + 0.5 * s)}};
     };
     Corner middle{rounded(0, height, 0), {0.f, 1.f, 0.f}, {0.5f, 0.5f}};
     add(scene, middle, on_rim(i, height, true), on_rim(i + 1, height, true), disc);
-    Corner a = on_rim(i, 0, false), b = on_rim(i + 1, 0, false), c = on_rim(i + 1, height, false), d = on_rim(i, height, false);
+    Corner a = on_rim(i, 0, false), b = on_rim(i + 1, 0, false), c = on_rim(i + 1, height, false),
+           d = on_rim(i, height, false);
     add(scene, a, b, c, edge);
     add(scene, a, c, d, edge);
   }
@@ -173,10 +178,11 @@ Scene default_scene() {
   const Metal metals[] = {kCopper, kSilver, kGold};
   for (int arc = 0; arc < 3; ++arc)
     for (int i = 0; i < 7 + 2 * arc; ++i) {
-      double share = (i + 0.5) / (7 + 2 * arc), angle = kTurn * (0.5 + 0.02 - 0.54 * share);
+      double share = (i + 0.5) / (7 + 2 * arc), angle = kTurn * (0.5 - 0.5 * share);
       double away = 2.75 + 0.85 * arc, r = 0.30;
       float alpha = rounded(0.05 + 0.5 * share * share), aspect = 1.f + 2.f * static_cast<float>(arc);
-      int material = add(scene, conductor(metals[arc], std::min(1.f, alpha * std::sqrt(aspect)), alpha / std::sqrt(aspect)));
+      int material =
+          add(scene, conductor(metals[arc], std::min(1.f, alpha * std::sqrt(aspect)), alpha / std::sqrt(aspect)));
       add(scene, {rounded(away * std::cos(angle), height + r, -away * std::sin(angle)), rounded(r)}, material);
     }
 
@@ -187,8 +193,8 @@ Scene default_scene() {
   glass.alpha_x = glass.alpha_y = 0.10f;
   glass.color = {0.93f, 0.98f, 0.96f};
   add(scene, {rounded(-2.15, height + 0.72, 1.35), rounded(0.72)}, add(scene, glass));
-  glass.alpha_x = glass.alpha_y = 0.35f;
-  glass.color = {0.98f, 0.90f, 0.80f};
+  glass.alpha_x = glass.alpha_y = 0.22f;
+  glass.color = {0.98f, 0.80f, 0.55f};
   add(scene, {rounded(-0.55, height + 0.42, 2.35), rounded(0.42)}, add(scene, glass));
 
   Material lacquer;
@@ -203,12 +209,12 @@ Scene default_scene() {
 
   Material panel;
   panel.color = {0.f, 0.f, 0.f};
-  panel.emission = {7.f, 7.6f, 9.f};
+  panel.emission = {8.f, 8.4f, 9.f};
   add_quad(scene, {3.5f, 5.5f, 4.5f}, {2.5f, 0.6f, -3.f}, {-1.2f, 2.2f, 0.6f}, add(scene, panel));
 
-  scene.camera.from = {0.f, 3.7f, 11.3f};
-  scene.camera.at = {0.f, 0.85f, 0.f};
-  scene.camera.fov = 41.f;
+  scene.camera.from = {0.f, 5.0f, 11.0f};
+  scene.camera.at = {0.f, 0.62f, 0.15f};
+  scene.camera.fov = 37.f;
   scene.camera.lens = 0.03f;
   return scene;
 }

@@ -12,8 +12,8 @@ struct LightSample {
   float pdf;  // over solid angle; 0: no light
 };
 
-/// Plain octahedral map, [0, 1]^2 to unit directions and back. `stretch` is the solid angle of a piece of the square over
-/// its area in [-1, 1]^2: 1 / |p|^3, with p the point on the octahedron.
+/// Plain octahedral map, [0, 1]^2 to unit directions and back. `stretch` is the solid angle of a piece of the square
+/// over its area in [-1, 1]^2: 1 / |p|^3, with p the point on the octahedron.
 Vec3 octahedral_direction(Vec2 square, float& stretch);
 Vec2 octahedral_square(Vec3 direction, float& stretch);
 

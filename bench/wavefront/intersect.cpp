@@ -34,7 +34,10 @@ Surface triangle_at(const Triangle& triangle, Vec3 tangent, Vec3 origin, Vec3 di
   float smooth2 = dot(smooth, smooth);
   smooth = smooth2 > 1e-20f ? (1.f / std::sqrt(smooth2)) * smooth : normal;
   if (dot(smooth, normal) < 0.f) normal = -1.f * normal;  // the normals say which side is outside, not the winding
-  return {a->position + v * ab + w * ac, normal, smooth, tangent,
+  return {a->position + v * ab + w * ac,
+          normal,
+          smooth,
+          tangent,
           {a->uv.x + v * (b->uv.x - a->uv.x) + w * (c->uv.x - a->uv.x),
            a->uv.y + v * (b->uv.y - a->uv.y) + w * (c->uv.y - a->uv.y)}};
 }
@@ -49,7 +52,10 @@ Surface sphere_at(const Sphere& sphere, Vec3 origin, Vec3 direction) {
   Vec3 normal = normalize(off + (inside < 0.f || along - half < 0.f ? half : -half) * direction);
   // Without an arc function, uv is the place on the octahedron.
   float inv = 1.f / (std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z));
-  return {sphere.center + sphere.radius * normal, normal, normal, {normal.z, 0.f, -normal.x},
+  return {sphere.center + sphere.radius * normal,
+          normal,
+          normal,
+          {normal.z, 0.f, -normal.x},
           {0.5f + 0.5f * normal.x * inv, 0.5f + 0.5f * normal.y * inv}};
 }
 
@@ -84,9 +90,8 @@ bool occluded(const Scene& scene, Vec3 origin, Vec3 direction, float distance) {
 
 Surface surface_at(const Scene& scene, Primitive primitive, Vec3 origin, Vec3 direction) {
   std::size_t triangles = scene.triangles.size();
-  return primitive < triangles
-             ? triangle_at(scene.triangles[primitive], scene.tangents[primitive], origin, direction)
-             : sphere_at(scene.spheres[primitive - triangles], origin, direction);
+  return primitive < triangles ? triangle_at(scene.triangles[primitive], scene.tangents[primitive], origin, direction)
+                               : sphere_at(scene.spheres[primitive - triangles], origin, direction);
 }
 
 }  // namespace wavefront

@@ -1,5 +1,6 @@
-// Rays against the scene. Embree says which primitive a ray meets; where, is computed here from the ray and the primitive
-// alone, so that of Embree's arithmetic, which differs between its instruction sets, nothing but the choice is kept.
+// Rays against the scene. Embree says which primitive a ray meets; where, is computed here from the ray and the
+// primitive alone, so that of Embree's arithmetic, which differs between its instruction sets, nothing but the choice
+// is kept.
 #pragma once
 
 #include "queues.h"

@@ -1,5 +1,5 @@
-// OBJ files with the PBR keys of their materials: Pr, Pm, aniso, anisor, Ni, Tf, Ke, map_Kd, map_Pr, norm. And two of our own:
-// lean_x and lean_y, theta_x and theta_y in turns.
+// OBJ files with the PBR keys of their materials: Pr, Pm, aniso, anisor, Ni, Tf, Ke, map_Kd, map_Pr, norm. And two of
+// our own: lean_x and lean_y, theta_x and theta_y in turns.
 #include <cstdlib>
 #include <map>
 #include <stdexcept>
@@ -15,7 +15,8 @@ Vec3 vec3(const float* v) {
   return {v[0], v[1], v[2]};
 }
 
-/// A complex index that has `color` as its reflectance along the normal, Gulbrandsen 2014, for a grey edge tint of a half.
+/// A complex index that has `color` as its reflectance along the normal, Gulbrandsen 2014, for a grey edge tint of a
+/// half.
 void set_index(Vec3 color, Material& m) {
   auto index = [](float r, float& n, float& k) {
     r = std::max(0.01f, std::min(r, 0.99f));
@@ -65,7 +66,7 @@ Material material_of(const tinyobj::material_t& given, Textures& textures) {
   Vec3 filter = vec3(given.transmittance);
   if (given.metallic >= 0.5f) {
     set_index(m.color, m);
-    m.kind = m.theta_x != 0.f || m.theta_y != 0.f      ? Kind::leaning
+    m.kind = m.theta_x != 0.f || m.theta_y != 0.f   ? Kind::leaning
              : m.theta_z != 0.f || m.angle_map >= 0 ? Kind::brushed
                                                     : Kind::conductor;
   } else if (largest(filter) > 0.f || given.dissolve < 0.5f) {
@@ -110,7 +111,8 @@ Scene read_obj(const std::string& file) {
     if (!within(i.normal_index, attributes.normals.size() / 3)) fail("a face has an index out of range");
     if (i.texcoord_index >= 0 && !within(i.texcoord_index, attributes.texcoords.size() / 2))
       fail("a face has an index out of range");
-    const float* uv = i.texcoord_index >= 0 ? &attributes.texcoords[2 * static_cast<std::size_t>(i.texcoord_index)] : nullptr;
+    const float* uv =
+        i.texcoord_index >= 0 ? &attributes.texcoords[2 * static_cast<std::size_t>(i.texcoord_index)] : nullptr;
     return Corner{vec3(&attributes.vertices[3 * static_cast<std::size_t>(i.vertex_index)]),
                   vec3(&attributes.normals[3 * static_cast<std::size_t>(i.normal_index)]),
                   uv ? Vec2{uv[0], uv[1]} : Vec2{0.f, 0.f}};

@@ -36,7 +36,8 @@ Options parse_options(int argc, char** argv) {
   Task& task = options.task;
   int spp = 64;
   std::string size = "960x540", crop, samples;
-  const std::map<std::string, Sampler> samplers{{"vndf", Sampler::vndf}, {"bounded", Sampler::bounded}, {"ndf", Sampler::ndf}};
+  const std::map<std::string, Sampler> samplers{
+      {"vndf", Sampler::vndf}, {"bounded", Sampler::bounded}, {"ndf", Sampler::ndf}};
   const std::map<std::string, vndf::Warp> warps{{"polar", vndf::Warp::polar},
                                                 {"concentric", vndf::Warp::concentric},
                                                 {"spherical_cap", vndf::Warp::spherical_cap}};
@@ -46,7 +47,9 @@ Options parse_options(int argc, char** argv) {
   app.add_option("--scene", options.scene, "an OBJ file; without, the scene made by code");
   app.add_option("--environment", options.environment, "light from far away: a latitude-longitude map in EXR, y up");
   app.add_option("--camera", options.camera, "from, at and width in degrees: x,y,z,x,y,z,f");
-  app.add_option("--spp", spp, "samples per pixel")->check(CLI::Range(1, static_cast<int>(kMostSamples)))->capture_default_str();
+  app.add_option("--spp", spp, "samples per pixel")
+      ->check(CLI::Range(1, static_cast<int>(kMostSamples)))
+      ->capture_default_str();
   app.add_option("--size", size, "width x height")->capture_default_str();
   app.add_option("--crop", crop, "x0,y0,x1,y1: this part of the frame alone");
   app.add_option("--samples", samples, "a:b: samples a to b - 1 of each pixel, in place of --spp");
@@ -54,12 +57,14 @@ Options parse_options(int argc, char** argv) {
       ->transform(CLI::CheckedTransformer(samplers));
   app.add_option("--warp", task.settings.sampling.warp, "polar, concentric or spherical_cap")
       ->transform(CLI::CheckedTransformer(warps));
-  app.add_option("--mis", task.settings.mis, "off: light is found by the BSDF alone")->transform(CLI::CheckedTransformer(switches));
+  app.add_option("--mis", task.settings.mis, "off: light is found by the BSDF alone")
+      ->transform(CLI::CheckedTransformer(switches));
   app.add_option("--seed", task.settings.seed, "of the random numbers")->capture_default_str();
   app.add_option("--isa", options.isa, "the library's instruction set");
   app.add_option("--embree", options.embree, "Embree's own configuration, as isa=sse4.2");
   app.add_option("--threads", task.threads, "0: as many as there are")->check(CLI::Range(0, 1024));
-  app.add_option("--time-limit", task.time_limit, "in seconds; what there is then is written")->check(CLI::NonNegativeNumber);
+  app.add_option("--time-limit", task.time_limit, "in seconds; what there is then is written")
+      ->check(CLI::NonNegativeNumber);
   app.add_option("--out", options.out, "the picture, EXR")->capture_default_str();
   app.add_option("--png", options.png, "the picture, tone-mapped");
   app.add_option("--exposure", options.exposure, "of the PNG, a factor")->capture_default_str();
@@ -82,7 +87,8 @@ Options parse_options(int argc, char** argv) {
               "--crop", "is empty, or not within the frame");
     }
     range[0] = 0, range[1] = spp;
-    require(samples.empty() || (read_numbers(samples, ':', range) && range[0] < range[1]), "--samples", "is not as 0:64");
+    require(samples.empty() || (read_numbers(samples, ':', range) && range[0] < range[1]), "--samples",
+            "is not as 0:64");
     task.first_sample = static_cast<std::uint32_t>(range[0]), task.last_sample = static_cast<std::uint32_t>(range[1]);
     auto error = options.isa.empty() ? vndf::IsaError::none : vndf::set_isa(options.isa.c_str());
     require(error == vndf::IsaError::none, "--isa", vndf::message(error));

@@ -1,5 +1,5 @@
-// Queues: structures of arrays whose capacity is fixed up front. Paths live in one of two path queues; what shading lets
-// live is appended to the other, which is all the compaction there is.
+// Queues: structures of arrays whose capacity is fixed up front. Paths live in one of two path queues; what shading
+// lets live is appended to the other, which is all the compaction there is.
 #pragma once
 
 #include <cstdint>
@@ -36,9 +36,9 @@ struct Columns3 {
 struct Paths {
   std::uint32_t count = 0;
   Columns3 origin{kCapacity}, direction{kCapacity}, throughput{kCapacity};
-  Column<float> pdf{kCapacity};             // of the direction, by the BSDF
-  Column<float> scale{kCapacity};           // of radiance by refraction; no reason to end or to keep a path
-  Column<std::uint32_t> slot{kCapacity};    // of the radiance
+  Column<float> pdf{kCapacity};           // of the direction, by the BSDF
+  Column<float> scale{kCapacity};         // of radiance by refraction; no reason to end or to keep a path
+  Column<std::uint32_t> slot{kCapacity};  // of the radiance
   Column<std::uint32_t> seed{kCapacity}, sample{kCapacity};  // of its random numbers
   Column<std::uint32_t> depth{kCapacity};
 };

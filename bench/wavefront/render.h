@@ -23,8 +23,8 @@ struct Picture {
   bool complete = true;  // else the time or the patience ended
 };
 
-/// `progress` is told the share that is done, from any thread, one at a time. Where `stop` becomes true, what there is so
-/// far is returned.
+/// `progress` is told the share that is done, from any thread, one at a time. Where `stop` becomes true, what there is
+/// so far is returned.
 Picture render(const Scene& scene, const Task& task, const std::atomic<bool>& stop,
                const std::function<void(double)>& progress);
 

@@ -55,7 +55,8 @@ void check(const Scene& s) {
     if (!is_finite(t.radiance)) fail("the environment has a texel that is not finite");
 }
 
-/// Surfaces of one kind are shaded together, whatever their roughness: that is a column. But a leaning one is one ellipsoid.
+/// Surfaces of one kind are shaded together, whatever their roughness: that is a column. But a leaning one is one
+/// ellipsoid.
 void number_bins(Scene& s) {
   std::map<std::pair<Kind, int>, int> numbers;
   for (std::size_t i = 0; i < s.materials.size(); ++i) {
@@ -113,17 +114,19 @@ void build_tree(Scene& s, const std::string& configuration) {
     rtcAttachGeometryByID(s.tree.get(), geometry, id);
     rtcReleaseGeometry(geometry);
   };
-  if (!s.triangles.empty()) attach(RTC_GEOMETRY_TYPE_TRIANGLE, 0, [&](RTCGeometry g) {
-    std::size_t corners = 3 * s.triangles.size();
-    rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, s.triangles.data(), 0, sizeof(Corner),
-                               corners);
-    void* indices = rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, corners / 3);
-    std::iota(static_cast<unsigned*>(indices), static_cast<unsigned*>(indices) + corners, 0u);
-  });
-  if (!s.spheres.empty()) attach(RTC_GEOMETRY_TYPE_SPHERE_POINT, 1, [&](RTCGeometry g) {
-    rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, s.spheres.data(), 0, sizeof(Sphere),
-                               s.spheres.size());
-  });
+  if (!s.triangles.empty())
+    attach(RTC_GEOMETRY_TYPE_TRIANGLE, 0, [&](RTCGeometry g) {
+      std::size_t corners = 3 * s.triangles.size();
+      rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, s.triangles.data(), 0, sizeof(Corner),
+                                 corners);
+      void* indices = rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, corners / 3);
+      std::iota(static_cast<unsigned*>(indices), static_cast<unsigned*>(indices) + corners, 0u);
+    });
+  if (!s.spheres.empty())
+    attach(RTC_GEOMETRY_TYPE_SPHERE_POINT, 1, [&](RTCGeometry g) {
+      rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, s.spheres.data(), 0, sizeof(Sphere),
+                                 s.spheres.size());
+    });
   // By one thread: the tree, and with it which of two triangles a ray through their edge meets, must not depend on how
   // many there are.
   tbb::task_arena(1).execute([&] { rtcCommitScene(s.tree.get()); });

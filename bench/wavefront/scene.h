@@ -78,9 +78,9 @@ Environment make_environment(int size, Radiance radiance);
 
 struct Camera {
   Vec3 from{0.f, 1.f, 5.f}, at{0.f, 0.f, 0.f};
-  float fov = 40.f;     // in degrees, of the width
-  float lens = 0.f;     // radius of the lens
-  float focus = 0.f;    // distance; 0: that of `at`
+  float fov = 40.f;   // in degrees, of the width
+  float lens = 0.f;   // radius of the lens
+  float focus = 0.f;  // distance; 0: that of `at`
 };
 
 struct Bin {
@@ -102,11 +102,11 @@ struct Scene {
 
   // Made by finish.
   std::vector<Bin> bins;
-  std::vector<Primitive> lights;       // primitives that emit
-  std::vector<float> light_sums;       // cumulative share of each
-  std::vector<float> light_share;      // by primitive, 0 where it is dark
-  std::vector<Vec3> tangents;          // by triangle, along u
-  float epsilon = 0.f;                 // that rays start off the surface
+  std::vector<Primitive> lights;   // primitives that emit
+  std::vector<float> light_sums;   // cumulative share of each
+  std::vector<float> light_share;  // by primitive, 0 where it is dark
+  std::vector<Vec3> tangents;      // by triangle, along u
+  float epsilon = 0.f;             // that rays start off the surface
   std::shared_ptr<RTCSceneTy> tree;
 
   int material_of(Primitive p) const {

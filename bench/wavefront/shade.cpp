@@ -1,5 +1,5 @@
-// Shading of a batch: gather what the vertices are, sample the light, ask the library, and scatter shadow rays and the rays
-// that go on.
+// Shading of a batch: gather what the vertices are, sample the light, ask the library, and scatter shadow rays and the
+// rays that go on.
 #include "fresnel.h"
 #include "lights.h"
 #include "sobol.h"
@@ -16,15 +16,16 @@ Vec3 mapped_normal(const Texture& map, const Surface& s) {
   return dot(n, n) > 0.01f ? normalize(to_world(frame_of(s.shading_normal, s.tangent), n)) : s.shading_normal;
 }
 
-/// A view that the geometry shows to be on one side is so for the shading normal as well: where it is not, the normal is
-/// turned towards the view until it just is.
+/// A view that the geometry shows to be on one side is so for the shading normal as well: where it is not, the normal
+/// is turned towards the view until it just is.
 Vec3 towards(Vec3 normal, Vec3 wo, float side) {
   constexpr float kGrazing = 0.01f;
   float cos = side * dot(normal, wo);
   return cos < kGrazing ? normalize(normal + (side * (kGrazing - cos)) * wo) : normal;
 }
 
-void gather(const Scene& scene, const Settings& settings, Kind kind, std::uint32_t first, std::uint32_t last, Worker& w) {
+void gather(const Scene& scene, const Settings& settings, Kind kind, std::uint32_t first, std::uint32_t last,
+            Worker& w) {
   Paths& paths = w.paths;
   Batch& b = w.batch;
   Vertices& v = w.vertices;
@@ -69,8 +70,8 @@ void gather(const Scene& scene, const Settings& settings, Kind kind, std::uint32
   }
 }
 
-/// The point off the surface that rays to a side start from. Light is sampled from there as well: from the surface itself,
-/// the distance to the rim of a sphere would be another one, and the sphere would shade itself.
+/// The point off the surface that rays to a side start from. Light is sampled from there as well: from the surface
+/// itself, the distance to the rim of a sphere would be another one, and the sphere would shade itself.
 Vec3 off_surface(const Scene& scene, const Vertices& v, std::uint32_t i, float side) {
   return v.position[i] + (side < 0.f ? -scene.epsilon : scene.epsilon) * v.normal[i];
 }
@@ -82,8 +83,8 @@ void sample_lights(const Scene& scene, const Settings& settings, Worker& w) {
                     {v.disk_x.data(), v.disk_y.data()});
   for (std::uint32_t i = 0; i < b.count; ++i) {
     auto from = [&](float side) {
-      return sample_light(scene, off_surface(scene, v, i, side), {v.light_u[i], v.light_v[i]}, {v.disk_x[i], v.disk_y[i]},
-                          v.select[i]);
+      return sample_light(scene, off_surface(scene, v, i, side), {v.light_u[i], v.light_v[i]},
+                          {v.disk_x[i], v.disk_y[i]}, v.select[i]);
     };
     LightSample& light = v.light[i] = settings.mis ? from(b.wo.z[i]) : LightSample{};
     // Light on the other side of glass.
@@ -96,7 +97,8 @@ void sample_lights(const Scene& scene, const Settings& settings, Worker& w) {
 /// The cosine-weighted direction of the batch's random numbers, for diffuse bodies, where `wanted` says so.
 template <class Wanted>
 void sample_cosines(Batch& b, Vertices& v, Wanted wanted) {
-  vndf::sample_disk(vndf::DiskMap::concentric, b.count, {b.u.x.data(), b.u.y.data()}, {v.disk_x.data(), v.disk_y.data()});
+  vndf::sample_disk(vndf::DiskMap::concentric, b.count, {b.u.x.data(), b.u.y.data()},
+                    {v.disk_x.data(), v.disk_y.data()});
   for (std::uint32_t i = 0; i < b.count; ++i) {
     if (!wanted(i)) continue;
     float x = v.disk_x[i], y = v.disk_y[i];
@@ -189,8 +191,8 @@ void scatter_shadows(const Scene& scene, Kind kind, Worker& w) {
     w.shadows.origin.set(s, off_surface(scene, v, i, cos));
     w.shadows.direction.set(s, light.wi);
     w.shadows.distance[s] = light.distance * (1.f - 0x1p-12f) - scene.epsilon;
-    w.shadows.radiance.set(s, (mis_weight(light.pdf, r.pdf) / light.pdf) *
-                                  (w.paths.throughput.get(p) * (r.f_cos * light.radiance)));
+    w.shadows.radiance.set(
+        s, (mis_weight(light.pdf, r.pdf) / light.pdf) * (w.paths.throughput.get(p) * (r.f_cos * light.radiance)));
     w.shadows.slot[s] = w.paths.slot[p];
   }
 }
@@ -238,8 +240,7 @@ void shade(const Scene& scene, const Settings& settings, const Bin& bin, std::ui
 
   const Material* leaning = bin.material >= 0 ? &scene.materials[bin.material] : nullptr;
   vndf::Ellipsoid shape({1.f, 1.f});
-  if (leaning)
-    shape = {{leaning->alpha_x, leaning->alpha_y}, leaning->theta_x, leaning->theta_y, leaning->theta_z};
+  if (leaning) shape = {{leaning->alpha_x, leaning->alpha_y}, leaning->theta_x, leaning->theta_y, leaning->theta_z};
   if (bin.kind != Kind::diffuse) shade_batch(bin.kind, shape, settings.sampling, b);
   if (bin.kind != Kind::diffuse) w.statistics.shaded_by_library += b.count;
   w.clock.lap(w.statistics, Stage::library);

@@ -12,8 +12,9 @@ std::uint32_t mixed(std::uint32_t a) {
   return a ^ (a >> 16);
 }
 
-/// Owen's nested scrambling of a number whose bits are reversed: every step carries information from low bits to high ones
-/// alone, Laine and Karras 2011, so a bit is flipped by a hash of the bits that are more significant in the number.
+/// Owen's nested scrambling of a number whose bits are reversed: every step carries information from low bits to high
+/// ones alone, Laine and Karras 2011, so a bit is flipped by a hash of the bits that are more significant in the
+/// number.
 std::uint32_t scrambled(std::uint32_t a, std::uint32_t seed) {
   a += seed;
   a ^= a * 0x6c50b47cu;  // the even multipliers of Burley 2020

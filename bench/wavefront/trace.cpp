@@ -1,5 +1,5 @@
-// The wave: camera -> intersect -> bin -> shade -> shadow rays, until no path of the block lives. Dead paths leave room that
-// new camera rays fill, so that queues stay long.
+// The wave: camera -> intersect -> bin -> shade -> shadow rays, until no path of the block lives. Dead paths leave room
+// that new camera rays fill, so that queues stay long.
 #include "lights.h"
 #include "sobol.h"
 #include "worker.h"
@@ -48,7 +48,8 @@ std::uint32_t start_paths(const Settings& settings, const View& view, const Bloc
       paths.seed[p] = pixel_seed(x, y, settings.seed);
       paths.sample[p] = reversed(block.first + (slot + i) / pixels);
       Random4 r = random4(paths.sample[p], paths.seed[p], 0);
-      paths.origin.set(p, {static_cast<float>(x) + 0.5f + tent(r.x[0]), static_cast<float>(y) + 0.5f + tent(r.x[1]), 0.f});
+      paths.origin.set(p,
+                       {static_cast<float>(x) + 0.5f + tent(r.x[0]), static_cast<float>(y) + 0.5f + tent(r.x[1]), 0.f});
       w.vertices.light_u[i] = r.x[2], w.vertices.light_v[i] = r.x[3];
     }
     vndf::sample_disk(vndf::DiskMap::concentric, count, {w.vertices.light_u.data(), w.vertices.light_v.data()},

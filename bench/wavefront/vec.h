@@ -1,5 +1,5 @@
-// Three floats, and the few things that the renderer does with them. Only + - * / and square roots: the same bits on every
-// machine, as those of the library.
+// Three floats, and the few things that the renderer does with them. Only + - * / and square roots: the same bits on
+// every machine, as those of the library.
 #pragma once
 
 #include <algorithm>

@@ -82,8 +82,8 @@ double albedo(double cos_o, double alpha_x, double alpha_y) {
   constexpr int kPhis = 512, kThetas = 2048;
   for (int i = 0; i < kThetas; ++i)
     for (int j = 0; j < kPhis; ++j) {
-      // Normals by their own distribution, which has 1 / (1 + t^2) even for t the tangent of the stretched one. It has a
-      // long tail: s^2 in place of it.
+      // Normals by their own distribution, which has 1 / (1 + t^2) even for t the tangent of the stretched one. It has
+      // a long tail: s^2 in place of it.
       double s = (i + 0.5) / kThetas, phi = 2 * 3.141592653589793 * (j + 0.5) / kPhis, t = std::sqrt(1 - s * s) / s;
       double x = alpha_x * t * std::cos(phi), y = alpha_y * t * std::sin(phi), inv = 1 / std::sqrt(1 + x * x + y * y);
       double c = (ox * x + cos_o) * inv;  // wo.wm
