@@ -133,7 +133,7 @@ Environment evening() {
     return Vec3{0.16f, 0.13f, 0.11f} + std::max(0.f, 1.f + 12.f * d.y) * (sky - Vec3{0.16f, 0.13f, 0.11f});
   });
   e.sun = sun;
-  e.sun_cos = 1.f - 0x1p-7f;  // a hazy sun, 7 degrees in radius
+  e.sun_cos = 1.f - 0x1.8p-6f;  // a sun behind haze, 12 degrees in radius
   float radiance = 1.f / (2.f * kPi * (1.f - e.sun_cos));
   e.sun_radiance = radiance * Vec3{3.0f, 1.9f, 1.0f};
   return e;
@@ -152,7 +152,7 @@ Scene default_scene() {
   stone.alpha_x = stone.alpha_y = 0.18f;
   add_quad(scene, {-40.f, 0.f, 40.f}, {80.f, 0.f, 0.f}, {0.f, 0.f, -80.f}, add(scene, stone));
   scene.textures.push_back(engine_turned(1024, 11));
-  Material turned = conductor(kSteel, 0.09f, 0.30f);
+  Material turned = conductor(kSteel, 0.12f, 0.34f);
   turned.kind = Kind::brushed;
   turned.angle_map = 0;
   Material rim = conductor(kGold, 0.12f, 0.12f);
@@ -180,13 +180,13 @@ Scene default_scene() {
     for (int i = 0; i < 7 + 2 * arc; ++i) {
       double share = (i + 0.5) / (7 + 2 * arc), angle = kTurn * (0.5 - 0.5 * share);
       double away = 2.75 + 0.85 * arc, r = 0.30;
-      float alpha = rounded(0.05 + 0.5 * share * share), aspect = 1.f + 2.f * static_cast<float>(arc);
+      float alpha = rounded(0.08 + 0.5 * share * share), aspect = 1.f + 2.f * static_cast<float>(arc);
       int material =
           add(scene, conductor(metals[arc], std::min(1.f, alpha * std::sqrt(aspect)), alpha / std::sqrt(aspect)));
       add(scene, {rounded(away * std::cos(angle), height + r, -away * std::sin(angle)), rounded(r)}, material);
     }
 
-  add_knot(scene, rounded(0, height + 1.22, -0.5), 0.37, 0.66, add(scene, conductor(kGold, 0.10f, 0.10f)));
+  add_knot(scene, rounded(0, height + 1.22, -0.5), 0.37, 0.66, add(scene, conductor(kGold, 0.16f, 0.16f)));
 
   Material glass;
   glass.kind = Kind::dielectric;
@@ -209,8 +209,8 @@ Scene default_scene() {
 
   Material panel;
   panel.color = {0.f, 0.f, 0.f};
-  panel.emission = {8.f, 8.4f, 9.f};
-  add_quad(scene, {3.5f, 5.5f, 4.5f}, {2.5f, 0.6f, -3.f}, {-1.2f, 2.2f, 0.6f}, add(scene, panel));
+  panel.emission = {3.2f, 3.4f, 3.7f};
+  add_quad(scene, {3.2f, 4.8f, 6.f}, {4.f, 0.9f, -4.8f}, {-1.8f, 3.3f, 0.9f}, add(scene, panel));
 
   scene.camera.from = {0.f, 5.0f, 11.0f};
   scene.camera.at = {0.f, 0.62f, 0.15f};
