@@ -82,8 +82,8 @@ VNDF_NOINLINE void walk(std::size_t count, const Walk& w) {
   }
 }
 
-/// A kernel over a block: several vectors at once, so that as many chains of dependent operations overlap, then one at a
-/// time.
+/// A kernel over a block: several vectors at once, so that as many chains of dependent operations overlap, then one at
+/// a time.
 template <class Kernel>
 void run_block(const void* pointer, std::size_t n) {
   const Kernel kernel = *static_cast<const Kernel*>(pointer);  // so that no store can be one to its columns
