@@ -67,8 +67,8 @@ measure() {
 # Clang has no such option, and schedules so by itself.
 scheduler="-fschedule-insns -fsched-pressure"
 "$cxx" --version | grep -q clang && scheduler=""
-measure sse42 3 4 'xsimd::batch<float,xsimd::sse4_2>' -msse4.2
-measure avx2 3 8 'xsimd::batch<float,xsimd::avx2>' -mavx2
+measure sse42 2 4 'xsimd::batch<float,xsimd::sse4_2>' -msse4.2
+measure avx2 2 8 'xsimd::batch<float,xsimd::avx2>' -mavx2
 measure avx512 4 16 'xsimd::batch<float,xsimd::avx512bw>' -mavx512f -mavx512cd -mavx512dq -mavx512bw
 
 awk -v cpus="$cpus" '

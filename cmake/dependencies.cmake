@@ -1,19 +1,18 @@
-# xsimd is needed by everything, by its include directory: the target that Debian's package exports also asks for a
-# library xtl, which does not exist.
-find_package(xsimd QUIET)
-if(xsimd_FOUND)
-  get_target_property(XSIMD_INCLUDE_DIR xsimd INTERFACE_INCLUDE_DIRECTORIES)
-endif()
-if(NOT XSIMD_INCLUDE_DIR)
+# xsimd is needed by everything.
+include(${CMAKE_CURRENT_LIST_DIR}/xsimd.cmake)
+vndf_find_xsimd(vndf_xsimd_include_dir vndf_xsimd_version)
+if(NOT vndf_xsimd_include_dir)
   message(FATAL_ERROR "xsimd (8.1 or newer) was not found. Run 'sh cmake/deps.sh', which installs it on Debian and Ubuntu "
-                      "and says what to install elsewhere, or set xsimd_DIR.")
+                      "and says what to install elsewhere, or set xsimd_DIR, or XSIMD_INCLUDE_DIR to where xsimd/ lies, "
+                      "or make a target xsimd before vndf is added.")
 endif()
-if(xsimd_VERSION VERSION_LESS 8.1)
-  message(FATAL_ERROR "xsimd ${xsimd_VERSION} was found in ${xsimd_DIR}; 8.1 or newer is needed.")
+if(vndf_xsimd_version VERSION_LESS 8.1)
+  message(FATAL_ERROR "xsimd ${vndf_xsimd_version} was found in ${vndf_xsimd_include_dir}; 8.1 or newer is needed.")
 endif()
+set(vndf_xsimd_found_in ${vndf_xsimd_include_dir})
 # A directory the compiler searches anyway must not be named: it would go before the C library's own.
-if(XSIMD_INCLUDE_DIR STREQUAL "/usr/include")
-  set(XSIMD_INCLUDE_DIR "")
+if(vndf_xsimd_include_dir STREQUAL "/usr/include")
+  set(vndf_xsimd_include_dir "")
 endif()
 
 if(VNDF_BUILD_TESTS)

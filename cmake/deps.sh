@@ -1,19 +1,30 @@
 #!/bin/sh
 # Installs what vndf builds with on Debian and Ubuntu; elsewhere says what to install. Does nothing where all is there.
+# --wavefront: what the renderer of bench/wavefront builds with, as well.
 set -e
-packages="g++ cmake ninja-build libxsimd-dev libgtest-dev libbenchmark-dev libcli11-dev nlohmann-json3-dev
+packages="g++ make cmake ninja-build pkg-config libxsimd-dev libgtest-dev libbenchmark-dev libcli11-dev nlohmann-json3-dev
   python3-matplotlib python3-pandas python3-jinja2"
+
+case "${1:-}" in
+  "") ;;
+  --wavefront) packages="$packages libembree-dev libtbb-dev libopenexr-dev libpng-dev libtinyobjloader-dev libboost-dev
+  openimageio-tools" ;;
+  *) echo "usage: sh cmake/deps.sh [--wavefront]" >&2; exit 2 ;;
+esac
 
 if ! command -v apt-get >/dev/null; then
   cat >&2 <<'END'
 This script installs Debian and Ubuntu packages only. Please install, by your system's means:
-  GCC or Clang with C++17 (GCC 12 and Clang 14 are tested), CMake 3.25 or newer, Ninja
+  GCC or Clang with C++17 (GCC 12 and Clang 14 are tested), CMake 3.25 or newer (the library alone: 3.22), Ninja,
+  and for the tests Make and pkg-config
   xsimd 8.1 to 14 (header-only)   https://github.com/xtensor-stack/xsimd
   GoogleTest                      https://github.com/google/googletest
   Google Benchmark                https://github.com/google/benchmark
   CLI11                           https://github.com/CLIUtils/CLI11
   nlohmann/json                   https://github.com/nlohmann/json
   Python 3.10 with matplotlib, pandas and Jinja2 (for the report)
+For the renderer of bench/wavefront: Embree 3.12 to 4, oneTBB, OpenEXR 3, libpng, tinyobjloader 2, Boost.Random, and for its
+tests OpenImageIO's oiiotool
 END
   exit 2
 fi

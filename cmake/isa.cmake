@@ -14,26 +14,26 @@ function(vndf_lanes_objects name)
   add_library(vndf_${name} OBJECT ${ARGN})
   target_link_libraries(vndf_${name} PRIVATE vndf::lanes)
   target_include_directories(vndf_${name} PRIVATE ${PROJECT_SOURCE_DIR}/src)
+  vndf_library_target(vndf_${name})
   # GCC's own AVX-512 header sets off -Wmaybe-uninitialized (its _mm512_undefined_ps reads an uninitialized variable).
-  target_compile_options(vndf_${name} PRIVATE ${vndf_compile_options}
-                         $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+  target_compile_options(vndf_${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   # GCC leaves this scheduler off on x86. With it, K vectors at once are K chains side by side; without, one after the
   # other.
-  target_compile_options(vndf_${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fschedule-insns;-fsched-pressure>)
+  target_compile_options(vndf_${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fschedule-insns;-fsched-pressure>
+                                              ${vndf_kernel_options})
   target_compile_definitions(vndf_${name} PRIVATE VNDF_LANES_BUILD=kernels_${name} xsimd=xsimd_kernels_${name})
-  set_target_properties(vndf_${name} PROPERTIES INTERPROCEDURAL_OPTIMIZATION OFF POSITION_INDEPENDENT_CODE ON)
   target_sources(vndf PRIVATE $<TARGET_OBJECTS:vndf_${name}>)
 endfunction()
 
 vndf_lanes_objects(make_shape src/make_shape.cpp)
 
 # The instruction sets of the library, slowest first: one row each, and nothing else names them.
-#   vndf_isa(name BATCH vector-type VECTORS n m [CPU feature...] [FLAGS flag...])
-# VECTORS: how many a kernel takes at once, and one of the dielectric: what the registers hold.
+#   vndf_isa(name BATCH vector-type VECTORS n [CPU feature...] [FLAGS flag...])
+# VECTORS: how many a kernel takes at once: what the registers hold.
 # CPU: what __builtin_cpu_supports must affirm; GCC's and Clang's run-times ask the operating system as well as the
 # processor. Compiles the kernels into the library with FLAGS and adds the name to isa_rows.h, which dispatch reads.
 function(vndf_isa name)
-  cmake_parse_arguments(PARSE_ARGV 1 row "" "BATCH" "VECTORS;CPU;FLAGS")
+  cmake_parse_arguments(PARSE_ARGV 1 row "" "BATCH;VECTORS" "CPU;FLAGS")
   if(row_FLAGS AND NOT CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
     return()
   endif()
@@ -49,13 +49,16 @@ function(vndf_isa name)
     list(APPEND sources ${source})
   endforeach()
   vndf_lanes_objects(${name} ${sources})
-  list(GET row_VECTORS 0 vectors)
-  list(GET row_VECTORS 1 vectors_dielectric)
-  target_compile_options(vndf_${name} PRIVATE ${row_FLAGS})
-  target_compile_definitions(vndf_${name} PRIVATE VNDF_SET=${name} VNDF_BATCH=${row_BATCH} VNDF_VECTORS=${vectors}
-                                                  VNDF_VECTORS_DIELECTRIC=${vectors_dielectric})
+  list(JOIN row_FLAGS " " flags)
+  target_compile_options(vndf_${name} PRIVATE "SHELL:${flags}")
+  target_compile_definitions(vndf_${name} PRIVATE VNDF_SET=${name} VNDF_BATCH=${row_BATCH}
+                                                  VNDF_VECTORS=${row_VECTORS})
 
   set(supported true)
+  if(row_CPU)
+    # Asked by a constructor that runs before libgcc's own, it would otherwise say no to everything.
+    set(supported "(__builtin_cpu_init(), true)")
+  endif()
   foreach(feature IN LISTS row_CPU)
     string(APPEND supported " && __builtin_cpu_supports(\"${feature}\")")
   endforeach()
@@ -69,10 +72,10 @@ if(NOT scalar IN_LIST VNDF_ISAS)
   message(FATAL_ERROR "VNDF_ISAS is \"${VNDF_ISAS}\": scalar must be among them, for processors that have no other")
 endif()
 
-vndf_isa(scalar BATCH float VECTORS 1 1)
-vndf_isa(sse42 BATCH xsimd::batch<float,xsimd::sse4_2> VECTORS 3 2 CPU sse4.2 FLAGS -msse4.2)
-vndf_isa(avx2 BATCH xsimd::batch<float,xsimd::avx2> VECTORS 3 2 CPU avx2 FLAGS -mavx2)
-vndf_isa(avx512 BATCH xsimd::batch<float,xsimd::avx512bw> VECTORS 4 4
+vndf_isa(scalar BATCH float VECTORS 1)
+vndf_isa(sse42 BATCH xsimd::batch<float,xsimd::sse4_2> VECTORS 2 CPU sse4.2 FLAGS -msse4.2)
+vndf_isa(avx2 BATCH xsimd::batch<float,xsimd::avx2> VECTORS 2 CPU avx2 FLAGS -mavx2)
+vndf_isa(avx512 BATCH xsimd::batch<float,xsimd::avx512bw> VECTORS 4
          CPU avx512f avx512cd avx512dq avx512bw FLAGS -mavx512f -mavx512cd -mavx512dq -mavx512bw)
 
 get_property(rows GLOBAL PROPERTY vndf_isa_rows)

@@ -17,7 +17,7 @@ Shape shape_of(const Ellipsoid& constants) noexcept {
   return shape;
 }
 
-ShapeError make_shape(const float (&a)[9], Shape& shape) noexcept {
+__attribute__((noinline)) static ShapeError make(const float (&a)[9], Shape& shape) noexcept {
   constexpr double kFlat = 0x1p-40, kSmallest = 0x1p-26, kLargest = 0x1p26;
   double largest = 0;
   for (float value : a) {
@@ -45,6 +45,11 @@ ShapeError make_shape(const float (&a)[9], Shape& shape) noexcept {
     if (!(std::fabs(value) <= kLargest)) return ShapeError::out_of_range;
   ShapeAccess::set(shape, reduced);
   return ShapeError::none;
+}
+
+ShapeError make_shape(const float (&a)[9], Shape& shape) noexcept {
+  FloatMode exact;
+  return make(a, shape);
 }
 
 const char* message(ShapeError error) noexcept {

@@ -6,7 +6,7 @@
 
 #include <vndf/vndf.h>
 
-namespace vndf {
+namespace VNDF_API vndf {
 
 /// A = S R, eq. 2-3: S = diag(alpha_x, alpha_y, 1), R = Rx(theta_x) Ry(theta_y) Rz(theta_z). Which of the five are
 /// constants decides how it is computed, and what it costs in times of plain GGX:

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <vndf/lanes/dielectric.h>
+#include <vndf/lanes/frame.h>
 #include <vndf/lanes/many.h>
 #include <vndf/lanes/normals.h>
 #include <vndf/lanes/tilted_shape.h>

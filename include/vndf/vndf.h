@@ -7,14 +7,14 @@
 // Guarantees, of every function that takes columns:
 //  - Identical bits: scalar, SSE4.2, AVX2 and AVX-512 agree in every bit of every result that is not NaN, and have
 //    NaN in the same places. Only + - * / sqrt, comparisons and bit operations are used, each rounded as IEEE 754 says,
-//    so any other IEEE 754 machine agrees too. The caller's rounding mode must be to-nearest; with FTZ or DAZ set, the
-//    sets still agree with each other.
+//    so any other IEEE 754 machine agrees too. Neither the flags of the program reach the bits, -ffast-math among
+//    them, nor the modes of the calling thread: rounding, FTZ, DAZ and traps are C++'s own for the call.
 //  - Lanes are independent: a result depends on the inputs of its own index alone, not on how a batch is split, where
 //    it starts, or what its neighbours are.
 //  - noexcept, no allocation, no locks, and no global state but the choice of the instruction set: callable from any
-//    number of threads at once. Floating-point exceptions must be masked, as they are unless a program asks for traps:
-//    both sides of a choice are computed, so their flags may be raised for good inputs too.
-//  - Any count including 0, any alignment that a float may have (64 bytes is fastest), nothing written outside
+//    number of threads at once. Both sides of a choice are computed, so the flags of floating-point exceptions may be
+//    raised for good inputs too.
+//  - Any count including 0, any alignment that a float may have (64 bytes is fastest). Nothing is written outside
 //    [0, count) of an output.
 //  - In place: an output may be the same column as an input of the same call, since every input of an index is read
 //    before its outputs are written. Outputs must not overlap one another, nor an input at another offset.
@@ -38,7 +38,9 @@
 #include <cstddef>
 #include <type_traits>
 
-namespace vndf {
+#include <vndf/version.h>
+
+namespace VNDF_API vndf {
 
 /// An input column: `count` floats, or one value for the whole batch (a material's alpha, a directional camera), which
 /// saves the reads. Both give the same bits, except for the columns of an Ellipsoid, which choose how it is computed.

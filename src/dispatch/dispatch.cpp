@@ -4,9 +4,15 @@
 #include <cstdlib>
 #include <cstring>
 
+#include <vndf/version.h>
+
 #include "dispatch.h"
 
 namespace vndf {
+
+int version() noexcept {
+  return VNDF_VERSION;
+}
 
 namespace {
 

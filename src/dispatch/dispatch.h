@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "../kernel_tables.h"
+#include "float_mode.h"
 
 namespace vndf {
 
@@ -45,11 +46,13 @@ inline bool zero(const Column& column) {
 template <class In, class Out, std::size_t kMaskings>
 void call(const BySurface<In, Out, kMaskings>& kernels, std::size_t count, const In& in, const Columns2& alpha,
           const Out& out, Masking masking = Masking::height_correlated) noexcept {
+  FloatMode exact;
   of(kernels.alpha, masking)(count, in, alpha, out);
 }
 template <class In, class Out, std::size_t kMaskings>
 void call(const BySurface<In, Out, kMaskings>& kernels, std::size_t count, const In& in, const Ellipsoid& e,
           const Out& out) noexcept {
+  FloatMode exact;
   bool turned = zero(e.theta_x) && zero(e.theta_y);
   if (turned && zero(e.theta_z))
     kernels.alpha[kMaskings - 1](count, in, e.alpha, out);  // separable is what eq. 6 of Walter et al. 2015 becomes
@@ -64,6 +67,7 @@ void call(const BySurface<In, Out, kMaskings>& kernels, std::size_t count, const
 template <class In, class Out, std::size_t kMaskings>
 void call(const BySurface<In, Out, kMaskings>& kernels, std::size_t count, const In& in, const Shape& shape,
           const Out& out) noexcept {
+  FloatMode exact;
   kernels.matrix(count, in, {shape, nullptr}, out);
 }
 

@@ -28,6 +28,7 @@ void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& 
                          const Evaluations& out, const ReflectionOptions& options) noexcept {
   if (!options.bounded) return evaluate(count, {wo, wi}, alpha, out, options.masking);
   expect_written(count, out);
+  FloatMode exact;
   of(table().bounded, options.masking)(count, {wo, wi}, alpha, out);
 }
 void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& wi, const Ellipsoid& ellipsoid,

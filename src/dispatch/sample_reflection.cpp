@@ -32,6 +32,7 @@ void sample_reflection(Warp warp, std::size_t count, const Columns3& wo, const C
                        const ReflectionSamples& out, const ReflectionOptions& options) noexcept {
   if (!options.bounded) return sample(warp, count, {wo, u}, alpha, out, options.masking);
   expect_written(count, out);
+  FloatMode exact;
   of(of(table().bounded, warp), options.masking)(count, {wo, u}, alpha, out);
 }
 void sample_reflection(Warp warp, std::size_t count, const Columns3& wo, const Ellipsoid& ellipsoid, const Columns2& u,

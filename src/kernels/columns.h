@@ -5,6 +5,13 @@
 #include <vndf/lanes.h>
 #include <vndf/vndf.h>
 
+// One function for all kernels of an object; GCC would make a copy for each number of columns.
+#if defined(__clang__)
+#define VNDF_NOINLINE __attribute__((noinline))
+#else
+#define VNDF_NOINLINE __attribute__((noinline, noclone))
+#endif
+
 namespace {
 
 namespace lanes = vndf::lanes;
@@ -15,18 +22,19 @@ using lanes::Vec3;
 /// A vector of the instruction set.
 using Vector = VNDF_BATCH;
 constexpr std::size_t kWidth = lanes::kWidth<Vector>;
-/// How many vectors a kernel takes at once, see cmake/isa.cmake. The dielectric's long functions take fewer where
-/// registers run out.
-constexpr int kVectors = VNDF_VECTORS, kVectorsDielectric = VNDF_VECTORS_DIELECTRIC;
+/// How many vectors a kernel takes at once, see cmake/isa.cmake.
+constexpr int kVectors = VNDF_VECTORS;
+constexpr std::size_t kAtOnce = kVectors * kWidth;
 
 /// Lanes of a block.
 constexpr std::size_t kBlock = 256;
+static_assert(kBlock % kAtOnce == 0);
 
 /// An input column of a call, and where it stands. It holds nothing but pointers, and run_block copies it with its
 /// kernel: so compilers know that no store to an output changes it.
 class InColumn {
  public:
-  VNDF_INLINE InColumn(const vndf::Column& given) : given_(&given) {}
+  VNDF_INLINE InColumn(const vndf::Column& given) : given_(&given), at_(given.data) {}
 
   VNDF_INLINE const vndf::Column& given() const { return *given_; }
   VNDF_INLINE void stand_at(const float* at) { at_ = at; }
@@ -48,7 +56,7 @@ class InColumn {
 class OutColumn {
  public:
   /// A null pointer is a column that is not wanted.
-  VNDF_INLINE OutColumn(float* given) : given_(given) {}
+  VNDF_INLINE OutColumn(float* given) : given_(given), at_(given) {}
 
   VNDF_INLINE float* given() const { return given_; }
   VNDF_INLINE bool wanted() const { return given_; }

@@ -35,7 +35,7 @@ void evaluate(std::size_t count, const vndf::DielectricEvaluationIn& in, const t
               const vndf::Evaluations& out) noexcept {
   typename Surface::Room room;
   Evaluation<Surface, Masking> kernel{in.wo, in.wi, {surface, count, room}, in.eta, out.f_cos, out.pdf};
-  run<kVectorsDielectric>(count, kernel);
+  run(count, kernel);
 }
 
 }  // namespace

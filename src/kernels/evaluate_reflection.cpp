@@ -40,7 +40,7 @@ void evaluate(std::size_t count, const vndf::EvaluationIn& in, const typename Su
               const vndf::Evaluations& out) noexcept {
   typename Surface::Room room;
   Evaluation<Surface, bounded, Masking> kernel{in.wo, in.wi, {surface, count, room}, out.f_cos, out.pdf};
-  run<kVectors>(count, kernel);
+  run(count, kernel);
 }
 
 }  // namespace

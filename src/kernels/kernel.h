@@ -20,7 +20,6 @@ struct Walk {
   InColumn* in[16];
   OutColumn* out[16];
   std::size_t ins = 0, outs = 0;
-  std::size_t lanes;  // of a block, at most
   void (*block)(const void* kernel, std::size_t n);
   const void* kernel;
 };
@@ -28,11 +27,17 @@ struct Walk {
 /// A block for each column, where the column of the call will not do: for constants, tails and streaming.
 using Buffers = float[16][kBlock];
 
+/// A constant becomes a column of one block, which stays where it is.
+VNDF_NOINLINE const float* fill(float* buffer, float value, std::size_t n) {
+  for (std::size_t i = 0; i < n; i += kWidth) op::store(Vector(value), buffer + i);
+  return buffer;
+}
+
 /// Walks a batch that is written past the caches. The kernel writes a block to buffers; from there each column goes out
 /// line after line.
-__attribute__((noinline)) void walk_streaming(std::size_t count, const Walk& w, Buffers& buffers) {
+VNDF_NOINLINE void walk_streaming(std::size_t count, const Walk& w, Buffers& buffers) {
   for (std::size_t begin = 0, n; begin < count; begin += n) {
-    n = count - begin < w.lanes ? count - begin : w.lanes;
+    n = count - begin < kBlock ? count - begin : kBlock;
     for (std::size_t c = 0; c < w.ins; ++c) w.in[c]->move_to(begin);
     for (std::size_t c = 0; c < w.outs; ++c) w.out[c]->stand_at(buffers[c]);
     w.block(w.kernel, n);
@@ -43,27 +48,23 @@ __attribute__((noinline)) void walk_streaming(std::size_t count, const Walk& w, 
   op::finish_streaming();
 }
 
-/// Walks block after block. A constant becomes a column of one block, which stays where it is. The last lanes, fewer
-/// than a vector, are a block of copies. Not inlined: one function for all kernels of an object.
-__attribute__((noinline)) void walk(std::size_t count, const Walk& w) {
+/// Walks block after block. The last lanes, fewer than a vector, are a block of copies. Not inlined: one function for
+/// all kernels of an object.
+VNDF_NOINLINE void walk(std::size_t count, const Walk& w) {
   alignas(64) Buffers in, out;
-  bool aligned = true;
-  for (std::size_t c = 0; c < w.outs; ++c)
-    aligned &= reinterpret_cast<std::uintptr_t>(w.out[c]->given()) % sizeof(Vector) == 0;
-  for (std::size_t c = 0; c < w.ins; ++c) {
-    if (w.in[c]->given().data) continue;
-    for (std::size_t i = 0; i < w.lanes && i < count; i += kWidth) op::store(Vector(w.in[c]->given().value), in[c] + i);
-    w.in[c]->stand_at(in[c]);
-  }
-
   const std::size_t rest = count % kWidth, whole = count - rest;
   std::size_t begin = 0;
-  if (count >= kStreaming && aligned) {
-    walk_streaming(whole, w, out);
-    begin = whole;
+  if (count >= kStreaming) {
+    bool aligned = true;
+    for (std::size_t c = 0; c < w.outs; ++c)
+      aligned &= reinterpret_cast<std::uintptr_t>(w.out[c]->given()) % sizeof(Vector) == 0;
+    if (aligned) {
+      walk_streaming(whole, w, out);
+      begin = whole;
+    }
   }
   for (std::size_t n; begin < whole; begin += n) {
-    n = whole - begin < w.lanes ? whole - begin : w.lanes;
+    n = whole - begin < kBlock ? whole - begin : kBlock;
     for (std::size_t c = 0; c < w.ins; ++c) w.in[c]->move_to(begin);
     for (std::size_t c = 0; c < w.outs; ++c) w.out[c]->stand_at(w.out[c]->given() + begin);
     w.block(w.kernel, n);
@@ -81,24 +82,31 @@ __attribute__((noinline)) void walk(std::size_t count, const Walk& w) {
   }
 }
 
-/// A kernel over a block: K vectors at once, so that K chains of dependent operations overlap, then one at a time.
-template <int K, class Kernel>
+/// A kernel over a block: several vectors at once, so that as many chains of dependent operations overlap, then one at
+/// a time.
+template <class Kernel>
 void run_block(const void* pointer, std::size_t n) {
-  const Kernel kernel = *static_cast<const Kernel*>(pointer);
+  const Kernel kernel = *static_cast<const Kernel*>(pointer);  // so that no store can be one to its columns
   kernel.prepare(n);
   std::size_t i = 0;
-  if constexpr (K > 1)
-    for (; i + K * kWidth <= n; i += K * kWidth) kernel.template at<lanes::Many<Vector, K>>(i);
+  if constexpr (kVectors > 1)
+    for (; i + kAtOnce <= n; i += kAtOnce) kernel.template at<lanes::Many<Vector, kVectors>>(i);
   for (; i < n; i += kWidth) kernel.template at<Vector>(i);
 }
 
-template <int K, class Kernel>
+template <class Kernel>
 VNDF_INLINE void run(std::size_t count, Kernel& kernel) {
+  alignas(64) Buffers constants;
+  std::size_t c = 0;
+  kernel.inputs([&](InColumn& in) {
+    if (!in.given().data) in.stand_at(fill(constants[c++], in.given().value, count < kBlock ? count : kBlock));
+  });
+  if (count <= kBlock && count % kWidth == 0) return run_block<Kernel>(&kernel, count);
+
   Walk w;
   kernel.inputs([&](InColumn& in) { w.in[w.ins++] = &in; });
   kernel.outputs([&](OutColumn& out) { w.out[w.outs++] = &out; });
-  w.lanes = kBlock / (K * kWidth) * (K * kWidth);
-  w.block = run_block<K, Kernel>;
+  w.block = run_block<Kernel>;
   w.kernel = &kernel;
   walk(count, w);
 }

@@ -31,7 +31,7 @@ void evaluate(std::size_t count, const vndf::DensityIn& in, const typename Surfa
               float* const& pdf) noexcept {
   typename Surface::Room room;
   Density<Surface> kernel{in.wo, in.wm, {surface, count, room}, pdf};
-  run<kVectors>(count, kernel);
+  run(count, kernel);
 }
 
 }  // namespace

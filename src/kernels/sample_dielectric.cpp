@@ -42,7 +42,7 @@ void sample(std::size_t count, const vndf::DielectricIn& in, const typename Surf
   typename Surface::Room room;
   Dielectric<Warp, Surface, Masking> kernel{in.wo,   {surface, count, room}, in.eta, in.u, out.wi, out.pdf, out.weight,
                                             out.side};
-  run<kVectorsDielectric>(count, kernel);
+  run(count, kernel);
 }
 
 template <class... Warp>

@@ -31,7 +31,7 @@ struct Disk {
 template <class Warp>
 void sample(std::size_t count, const vndf::Columns2& u, const vndf::Out2& t) noexcept {
   Disk<Warp> kernel{u, t.x, t.y};
-  run<kVectors>(count, kernel);
+  run(count, kernel);
 }
 
 }  // namespace

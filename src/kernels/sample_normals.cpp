@@ -35,7 +35,7 @@ void sample(std::size_t count, const vndf::NormalsIn& in, const typename Surface
             const vndf::Out3& wm) noexcept {
   typename Surface::Room room;
   Normals<Warp, Surface> kernel{in.wo, {surface, count, room}, in.u, wm};
-  run<kVectors>(count, kernel);
+  run(count, kernel);
 }
 
 template <class... Warp>

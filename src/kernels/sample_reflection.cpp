@@ -48,7 +48,7 @@ void sample(std::size_t count, const vndf::ReflectionIn& in, const typename Surf
   typename Surface::Room room;
   Reflection<Warp, Surface, Masking> kernel{
       in.wo, {surface, count, room}, in.u, out.wi, out.pdf, out.weight, out.wm.x, out.wm.y, out.wm.z, out.wo_dot_wm};
-  run<kVectors>(count, kernel);
+  run(count, kernel);
 }
 
 template <class... Warp>

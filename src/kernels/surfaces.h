@@ -85,7 +85,7 @@ class Staged {
  public:
   template <class F>
   VNDF_INLINE void store(std::size_t i, const Lanes<F>& value) {
-    store(i, value, Members());
+    store<F>(i, value, Members());
   }
   template <class F>
   VNDF_INLINE Lanes<F> load(std::size_t i) const {
@@ -186,8 +186,8 @@ class Matrix {
   }
 
   // Not inlined: one function for all kernels of an object.
-  __attribute__((noinline)) static void work_out(std::size_t n, InColumns2 alpha, InColumn theta_x, InColumn theta_y,
-                                                 InColumn theta_z, Room& room) {
+  VNDF_NOINLINE static void work_out(std::size_t n, InColumns2 alpha, InColumn theta_x, InColumn theta_y,
+                                     InColumn theta_z, Room& room) {
     for (std::size_t i = 0; i < n; i += kWidth)
       room.store(i, For::of(lanes::tilted_shape(alpha.load<Vector>(i), theta_x.load<Vector>(i), theta_y.load<Vector>(i),
                                                 theta_z.load<Vector>(i))));

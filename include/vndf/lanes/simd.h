@@ -7,8 +7,11 @@
 // multiply-add, no approximate reciprocal and no call into a mathematics library, and there must not be.
 #pragma once
 
-#ifdef __FAST_MATH__
-#error "vndf promises identical bits on every instruction set: compile without -ffast-math"
+// What can be seen of the flags that change bits. Clang shows less than GCC, and neither shows -ffp-contract: the
+// target vndf::lanes brings flags that take all of them back.
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || \
+    defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)
+#error "vndf promises identical bits on every instruction set: link vndf::lanes, or compile without -ffast-math"
 #endif
 
 #if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0 && __FLT_EVAL_METHOD__ != 16
@@ -38,6 +41,8 @@
 
 namespace vndf::lanes {
 inline namespace VNDF_LANES_BUILD {
+
+static_assert(0.1 != static_cast<double>(0.1f), "vndf needs constants in double: without -fsingle-precision-constant");
 
 /// As many doubles as a batch has floats.
 template <class Arch>
@@ -239,7 +244,7 @@ VNDF_INLINE Batch<Arch> narrow(const Doubles<Arch>& a) {
 
 template <class F>
 VNDF_INLINE F load(const float* p) {
-  if constexpr (kWidth<F> == 1)
+  if constexpr (std::is_floating_point_v<F>)
     return *p;
   else
     return F::load_unaligned(p);

@@ -1,0 +1,122 @@
+#include "images.h"
+
+#include <array>
+#include <stdexcept>
+
+#include <Iex.h>
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfInputFile.h>
+#include <ImfOutputFile.h>
+#include <png.h>
+
+namespace wavefront {
+namespace {
+
+[[noreturn]] void fail(const std::string& file, const std::string& why) {
+  throw std::runtime_error(file + ": " + why);
+}
+bool ends_with(const std::string& name, const std::string& end) {
+  return name.size() >= end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
+}
+
+/// Of Vec3 pixels, whose first has the coordinates of the window's corner.
+Imf::FrameBuffer frame_buffer(Vec3* pixels, const Imath::Box2i& window) {
+  auto stride = static_cast<std::size_t>(window.max.x - window.min.x + 1) * sizeof(Vec3);
+  Imf::FrameBuffer buffer;
+  float* first = &pixels->x;
+  for (const char* name : {"R", "G", "B"})
+    buffer.insert(name, Imf::Slice::Make(Imf::FLOAT, first++, window, sizeof(Vec3), stride));
+  return buffer;
+}
+
+Texture read_exr(const std::string& file) {
+  Imf::InputFile input(file.c_str(), 1);
+  if (!input.header().channels().findChannel("R")) fail(file, "has no channel R");
+  auto window = input.header().dataWindow();
+  Texture t;
+  t.width = window.max.x - window.min.x + 1, t.height = window.max.y - window.min.y + 1;
+  t.texels.resize(static_cast<std::size_t>(t.width) * t.height);
+  input.setFrameBuffer(frame_buffer(t.texels.data(), window));
+  input.readPixels(window.min.y, window.max.y);
+  return t;
+}
+
+/// sRGB to linear, rounded to 16 bits: machines differ in the last bits of a power.
+std::array<float, 256> linear_table() {
+  std::array<float, 256> table;
+  for (int i = 0; i < 256; ++i) {
+    double v = i / 255.0;
+    v = v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+    table[i] = static_cast<float>(std::floor(v * 65535 + 0.5) / 65535);
+  }
+  return table;
+}
+
+Texture read_png(const std::string& file, bool colors) {
+  static const std::array<float, 256> kLinear = linear_table();
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  if (!png_image_begin_read_from_file(&image, file.c_str())) fail(file, image.message);
+  image.format = PNG_FORMAT_RGB;
+  std::vector<png_byte> bytes(PNG_IMAGE_SIZE(image));
+  if (!png_image_finish_read(&image, nullptr, bytes.data(), 0, nullptr)) fail(file, image.message);
+  Texture t;
+  t.width = static_cast<int>(image.width), t.height = static_cast<int>(image.height);
+  auto value = [&](png_byte b) { return colors ? kLinear[b] : static_cast<float>(b) / 255.f; };
+  for (std::size_t i = 0; i < bytes.size(); i += 3)
+    t.texels.push_back({value(bytes[i]), value(bytes[i + 1]), value(bytes[i + 2])});
+  return t;
+}
+
+/// A shoulder that takes 0 to 0 and brightness without end to 1, with colours that fade to white as film does.
+float film_curve(float a) {
+  a = std::max(0.f, a);
+  return a * (a * 2.51f + 0.03f) / (a * (a * 2.43f + 0.59f) + 0.14f);  // Narkowicz 2015, a fit of ACES
+}
+png_byte encode(float a) {
+  a = std::max(0.f, std::min(a, 1.f));
+  a = a <= 0.0031308f ? 12.92f * a : 1.055f * std::pow(a, 1.f / 2.4f) - 0.055f;
+  return static_cast<png_byte>(255.f * a + 0.5f);
+}
+
+}  // namespace
+
+Texture read_texture(const std::string& file, bool colors) {
+  if (ends_with(file, ".png")) return read_png(file, colors);
+  if (!ends_with(file, ".exr")) fail(file, "is neither .exr nor .png");
+  try {
+    return read_exr(file);
+  } catch (const Iex::BaseExc&) {
+    fail(file, "cannot be read as EXR");
+  }
+}
+
+void write_exr(const std::string& file, int width, int height, const Window& window, const std::vector<Vec3>& pixels) {
+  try {
+    Imath::Box2i data({window.x0, window.y0}, {window.x1 - 1, window.y1 - 1});
+    Imf::Header header({{0, 0}, {width - 1, height - 1}}, data);
+    header.compression() = Imf::ZIP_COMPRESSION;
+    for (const char* name : {"R", "G", "B"}) header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+    Imf::OutputFile output(file.c_str(), header, 1);
+    output.setFrameBuffer(frame_buffer(const_cast<Vec3*>(pixels.data()), data));
+    output.writePixels(window.y1 - window.y0);
+  } catch (const Iex::BaseExc&) {
+    fail(file, "cannot be written");
+  }
+}
+
+void write_png(const std::string& file, const Window& window, const std::vector<Vec3>& pixels, float exposure) {
+  std::vector<png_byte> bytes;
+  for (const Vec3& p : pixels)
+    for (float v : {p.x, p.y, p.z}) bytes.push_back(encode(film_curve(exposure * v)));
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = static_cast<png_uint_32>(window.x1 - window.x0);
+  image.height = static_cast<png_uint_32>(window.y1 - window.y0);
+  image.format = PNG_FORMAT_RGB;
+  if (!png_image_write_to_file(&image, file.c_str(), 0, bytes.data(), 0, nullptr)) fail(file, image.message);
+}
+
+}  // namespace wavefront

@@ -1,0 +1,22 @@
+// The command line.
+#pragma once
+
+#include <string>
+
+#include "render.h"
+
+namespace wavefront {
+
+struct Options {
+  Task task;
+  std::string scene, environment, camera;  // empty: the default ones
+  std::string out = "wavefront.exr", png, statistics;
+  std::string isa, embree;  // empty: the library's and Embree's choice
+  float exposure = 1.f;
+  bool quiet = false;
+};
+
+/// Ends the program after --help, and with status 2 and one line where an argument is wrong.
+Options parse_options(int argc, char** argv);
+
+}  // namespace wavefront

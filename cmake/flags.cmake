@@ -1,0 +1,39 @@
+# The flags of everything that must give the same bits. A host's flags (CMAKE_CXX_FLAGS, its build type's,
+# add_compile_options) come first on the command line, so that these have the last word. Each list is one SHELL: string:
+# CMake drops a flag that repeats an earlier one, and would drop ours where a host has it first and then takes it back.
+
+# Every operation is rounded by itself, as it is written. One by one: Clang warns of -fno-fast-math after -ffast-math.
+set(vndf_exact -ffp-contract=off -fno-unsafe-math-optimizations -fno-associative-math -fno-reciprocal-math
+    -fno-finite-math-only -fsigned-zeros)
+list(JOIN vndf_exact " " vndf_exact)
+set(vndf_exact "SHELL:${vndf_exact}" "$<$<CXX_COMPILER_ID:GNU>:SHELL:-fno-fast-math -fno-single-precision-constant>"
+    "$<$<CXX_COMPILER_ID:Clang,AppleClang>:SHELL:-fno-approx-func -fdenormal-fp-math=ieee>")
+
+# Code for any x86-64, whatever -march=native and the like say; an instruction set's own flags come after it. The later
+# -march wins. -mno-sse3 takes away every set above SSE2 that was asked for by name, the others what compilers use
+# unasked.
+set(vndf_any_processor "")
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
+  set(vndf_any_processor -march=x86-64 -mtune=generic -mfpmath=sse -mno-sse3 -mno-bmi -mno-bmi2 -mno-lzcnt -mno-popcnt
+      -mno-movbe -mno-tbm -mno-gfni)
+  list(JOIN vndf_any_processor " " vndf_any_processor)
+  set(vndf_any_processor "SHELL:${vndf_any_processor}")
+endif()
+
+# Of a source file of the library. No link-time optimisation: an inline function of one instruction set could be inlined
+# into, or kept for, another, and no other compiler could link the archive.
+set(vndf_compile_options -Wall -Wextra ${vndf_exact} ${vndf_any_processor}
+    "SHELL:-fno-math-errno -fno-exceptions -fno-lto")
+
+# Kernels are fast in any host: one without a build type would have them 200 times slower.
+option(VNDF_DEBUG_KERNELS "Compile the kernels with the build type's optimisation, to debug the library itself" OFF)
+set(vndf_kernel_options $<$<NOT:$<BOOL:${VNDF_DEBUG_KERNELS}>>:SHELL:-O3>)
+
+# An object of the library, in a unity or an IPO build too. Its symbols are its own: two plugins may carry two versions.
+function(vndf_library_target target)
+  target_compile_options(${target} PRIVATE ${vndf_compile_options})
+  target_compile_definitions(${target} PRIVATE $<$<BOOL:${BUILD_SHARED_LIBS}>:VNDF_SHARED>)
+  set_target_properties(${target} PROPERTIES
+    POSITION_INDEPENDENT_CODE ON INTERPROCEDURAL_OPTIMIZATION OFF UNITY_BUILD OFF
+    CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+endfunction()

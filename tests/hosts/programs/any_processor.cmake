@@ -1,0 +1,20 @@
+# Dispatch, shapes and the scalar set hold nothing that only some x86-64 processors have: no AVX of any kind, whose
+# names begin with v, and nothing of BMI, LZCNT, POPCNT, MOVBE or SSE3 to SSE4.2 that compilers use by themselves.
+execute_process(COMMAND ${OBJDUMP} -d --no-show-raw-insn ${ARCHIVE} OUTPUT_VARIABLE code COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX REPLACE "\n[^\n]*[(/]?([a-z_0-9]+\\.cpp\\.o)\\)?:[ \t]+file format" ";\\1" objects "${code}")
+set(looked_at 0)
+foreach(object IN LISTS objects)
+  string(REGEX MATCH "^[a-z_0-9]+\\.cpp\\.o" name "${object}")
+  if(NOT name OR name MATCHES "_(sse|avx)[0-9]+\\.cpp\\.o$")
+    continue()
+  endif()
+  math(EXPR looked_at "${looked_at} + 1")
+  string(REGEX MATCH "\t(v[a-z0-9]+|andn|bextr|bls[a-z]+|bzhi|[sr]a?[hl]?[rlo]+x|mulx|pdep|pext|lzcnt|tzcnt|popcnt|movbe|round[sp][sd]|blendv?p[sd]|p(min|max)[su]d|pmulld|insertps|h(add|sub)p[sd]|movddup|movs[hl]dup|pshufb)[a-z]? [^\n]*"
+         found "${object}")
+  if(found)
+    message(SEND_ERROR "${name}: ${found}")
+  endif()
+endforeach()
+if(looked_at LESS 10)
+  message(FATAL_ERROR "${ARCHIVE}: only ${looked_at} objects found")
+endif()
