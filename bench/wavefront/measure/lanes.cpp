@@ -1,5 +1,5 @@
-// The shading step of metals and coats as one kernel of the renderer's own, from the library's lane functions: sampling and
-// evaluation share what they load and what they know of the view. The rest is left to the library.
+// The shading step of metals and coats as one kernel of the renderer's own, from the library's lane functions: sampling
+// and evaluation share what they load and what they know of the view. The rest is left to the library.
 #include <vndf/lanes.h>
 
 #include "bsdf.h"

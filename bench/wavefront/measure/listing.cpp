@@ -1,6 +1,6 @@
-// The shading step as renderers have it: one vertex after the other, by Heitz's listing (2018, Listing 1), the textbook's
-// density and Walter's (2007) dielectric. In place of bsdf.cpp, with the same flags. What leans is left to the library, as
-// there is no listing for it.
+// The shading step as renderers have it: one vertex after the other, by Heitz's listing (2018, Listing 1), the
+// textbook's density and Walter's (2007) dielectric. In place of bsdf.cpp, with the same flags. What leans is left to
+// the library, as there is no listing for it.
 #include "bsdf.h"
 
 namespace wavefront {
