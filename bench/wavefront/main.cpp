@@ -1,6 +1,7 @@
 // vndf_wavefront: renders a scene, or a part of a frame for a farm.
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <exception>

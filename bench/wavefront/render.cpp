@@ -1,6 +1,7 @@
 #include "render.h"
 
 #include <array>
+#include <chrono>
 #include <mutex>
 
 #include <tbb/enumerable_thread_specific.h>

@@ -1,7 +1,7 @@
 """Measures the wavefront renderer: time by stage against other shading steps, error at equal samples and at equal time,
 scaling over threads. Writes measure.json and plots beside it.
 
-Times are of the wall: the machine should be quiet. The fastest of a few runs counts.
+Times of stages are of the processor, so other work on the machine disturbs them little. The fastest of a few runs counts.
 """
 
 import argparse
@@ -47,8 +47,13 @@ def render(program: Path, out: Path, *options: str) -> dict[str, Any]:
     return json.loads(statistics.read_text())
 
 
+def busy(run: dict[str, Any]) -> float:
+    """Seconds of processors, of all threads together."""
+    return sum(run["stages"].values())
+
+
 def fastest(repetitions: int, *arguments: Any) -> dict[str, Any]:
-    return min((render(*arguments) for _ in range(repetitions)), key=lambda run: run["seconds"])
+    return min((render(*arguments) for _ in range(repetitions)), key=busy)
 
 
 def pixels(exr: Path) -> np.ndarray:
@@ -79,11 +84,10 @@ def stages(arguments: argparse.Namespace) -> dict[str, Any]:
     for step in ("listing", "lanes"):
         runs[step] = fastest(arguments.repetitions, arguments.build / STEPS[step], arguments.out / "step", *options)
     for name, run in runs.items():
-        total = sum(run["stages"].values())
         nanoseconds = 1e9 * run["stages"]["library"] / run["shaded_by_library"]
         run["step_nanoseconds"] = nanoseconds
-        rate = 1e-6 * run["vertices"] / run["seconds"]
-        share = 100 * run["stages"]["library"] / total
+        rate = 1e-6 * run["vertices"] / busy(run)
+        share = 100 * run["stages"]["library"] / busy(run)
         print(f"{name:16} {rate:5.2f} M vertices/s, shading step {nanoseconds:6.1f} ns a vertex, {share:4.1f} %")
     return runs
 
@@ -98,7 +102,7 @@ def errors(arguments: argparse.Namespace) -> dict[str, Any]:
         rows = []
         for spp in (4, 16, 64, 256):
             run = render(program, arguments.out / "way", *size, "--spp", str(spp), *options)
-            rows.append({"spp": spp, "seconds": run["seconds"], "rmse": rmse(pixels(arguments.out / "way.exr"), reference)})
+            rows.append({"spp": spp, "seconds": busy(run), "rmse": rmse(pixels(arguments.out / "way.exr"), reference)})
         results[way] = rows
         print(f"{way:16}" + "".join(f"  {row['spp']} spp {row['rmse']:.4f}" for row in rows))
     return results
