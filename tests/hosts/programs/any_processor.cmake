@@ -1,7 +1,7 @@
 # Dispatch, shapes and the scalar set hold nothing that only some x86-64 processors have: no AVX of any kind, whose
 # names begin with v, and nothing of BMI, LZCNT, POPCNT, MOVBE or SSE3 to SSE4.2 that compilers use by themselves.
 execute_process(COMMAND ${OBJDUMP} -d --no-show-raw-insn ${ARCHIVE} OUTPUT_VARIABLE code COMMAND_ERROR_IS_FATAL ANY)
-string(REGEX REPLACE "\n[^\n]*[(/]?([a-z_0-9]+\\.cpp\\.o)\\)?:[ \t]+file format" ";\\1" objects "${code}")
+string(REGEX REPLACE "\n([^\n]*[(/])?([a-z_0-9]+\\.cpp\\.o)\\)?:[ \t]+file format" ";\\2" objects "${code}")
 set(looked_at 0)
 foreach(object IN LISTS objects)
   string(REGEX MATCH "^[a-z_0-9]+\\.cpp\\.o" name "${object}")
