@@ -39,5 +39,6 @@ function(vndf_all_sorts name)
             OPTIONS "-DCMAKE_PREFIX_PATH=${all_sorts}/${name}")
 endfunction()
 vndf_all_sorts(include_dir_of_a_version -DBUILD_SHARED_LIBS=OFF -DCMAKE_INSTALL_INCLUDEDIR=include/vndf-0.1)
-vndf_all_sorts(absolute_include_dir -DBUILD_SHARED_LIBS=OFF "-DCMAKE_INSTALL_INCLUDEDIR=${all_sorts}/headers")
+vndf_all_sorts(absolute_include_dir -DBUILD_SHARED_LIBS=OFF 
+               "-DCMAKE_INSTALL_INCLUDEDIR=${all_sorts}/absolute_include_dir/headers")
 vndf_all_sorts(shared -DBUILD_SHARED_LIBS=ON -DCMAKE_INSTALL_INCLUDEDIR=include)
