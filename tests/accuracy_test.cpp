@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "reference/errors.h"
-#include "support/operations.h"
+#include "support/inputs.h"
 
 namespace vndf::testing {
 namespace {
@@ -76,7 +76,9 @@ TEST_P(Accuracy, Normals) {
   auto at = [&](std::size_t i) {
     char wm[100];
     std::snprintf(wm, sizeof wm, ", wm %a, %a, %a", x[i], y[i], z[i]);
-    return describe({in.wo_x, in.wo_y, in.wo_z, in.alpha_x, in.alpha_y, in.u_x, in.u_y}, i) + wm;
+    return describe(operation("normals_polar"), {in.wo_x, in.wo_y, in.wo_z, in.alpha_x, in.alpha_y, in.u_x, in.u_y},
+                    i) +
+           wm;
   };
   for (std::size_t i = 0; i < in.size(); ++i) ASSERT_GE(z[i], 0) << "below the surface: " << at(i);
 

@@ -1,4 +1,4 @@
-// One row per function, warp, masking, bound and kind of shapes.
+// One row per row of support/operations.cpp, in any order.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@ namespace vndf::testing {
 struct GoldenHashes {
   const char* name;
   std::uint64_t results;
-  std::uint64_t normals = 0;  // of the outputs that a reflection may leave out
+  std::uint64_t optional = 0;  // of the outputs that may be left out
 };
 constexpr GoldenHashes kGolden[] = {
     {"normals_polar", 0xc5cdfe54199c4335u},
@@ -17,17 +17,17 @@ constexpr GoldenHashes kGolden[] = {
     {"disk_polar", 0xa97693e70590ffd1u},
     {"disk_concentric", 0x46d4f0a19935b85cu},
     {"reflection_polar", 0xfa0b962bee625157u, 0xacacc5bc102dd98au},
-    {"evaluate_polar", 0x1f9724c1add10314u},
+    {"evaluate_reflection", 0x1f9724c1add10314u},
     {"dielectric_polar", 0x6cc7010f21c33003u},
-    {"evaluate_dielectric_polar", 0x804d895cd1df5519u},
+    {"evaluate_dielectric", 0x804d895cd1df5519u},
     {"reflection_polar_separable", 0xc9cdd03d45ab04a7u, 0xacacc5bc102dd98au},
-    {"evaluate_polar_separable", 0xc906527e1e43227eu},
+    {"evaluate_reflection_separable", 0xc906527e1e43227eu},
     {"dielectric_polar_separable", 0x851abd5d7801a12au},
-    {"evaluate_dielectric_polar_separable", 0xe437139f0d03357u},
+    {"evaluate_dielectric_separable", 0xe437139f0d03357u},
     {"reflection_polar_bounded", 0x3ae48e8f05020865u, 0xf063aa4159544825u},
-    {"evaluate_polar_bounded", 0xf814efdda48a1444u},
+    {"evaluate_reflection_bounded", 0xf814efdda48a1444u},
     {"reflection_polar_bounded_separable", 0xbbf70ccd1056fdaau, 0xf063aa4159544825u},
-    {"evaluate_polar_bounded_separable", 0x74cba7076fcab4e5u},
+    {"evaluate_reflection_bounded_separable", 0x74cba7076fcab4e5u},
     {"reflection_concentric", 0xef818899bbeb6b0bu, 0xc63c016755cde037u},
     {"dielectric_concentric", 0x16544f21389d0c7fu},
     {"reflection_concentric_separable", 0xb60e226a27c96cd3u, 0xc63c016755cde037u},
@@ -50,7 +50,7 @@ constexpr GoldenHashes kGolden[] = {
     {"normals_tilted_spherical_cap", 0x8e2af331a135ea8fu},
     {"reflection_tilted_spherical_cap", 0x3586e42aec7d99fcu, 0x41e199cd8e91d5e8u},
     {"dielectric_tilted_spherical_cap", 0x4a5b2e2129f226f8u},
-    {"evaluate_tilted", 0xf3796b6a5c11a531u},
+    {"evaluate_reflection_tilted", 0xf3796b6a5c11a531u},
     {"evaluate_dielectric_tilted", 0x664e92e2aec10842u},
     {"pdf_normals_tilted", 0x1d42c71def97be94u},
     {"normals_turned_polar", 0x2a800c5588c58534u},
@@ -62,7 +62,7 @@ constexpr GoldenHashes kGolden[] = {
     {"normals_turned_spherical_cap", 0x9aaefaa78f83c095u},
     {"reflection_turned_spherical_cap", 0x652f3dc8a6caf8fbu, 0xd96893405f722405u},
     {"dielectric_turned_spherical_cap", 0xafee6bbb24537e20u},
-    {"evaluate_turned", 0xcbf9d17e1f20a82du},
+    {"evaluate_reflection_turned", 0xcbf9d17e1f20a82du},
     {"evaluate_dielectric_turned", 0x42fe29f365831a81u},
     {"pdf_normals_turned", 0xfa5b41233c1a88f4u},
     {"normals_constants_polar", 0xfff577b5ae20b448u},
@@ -74,7 +74,7 @@ constexpr GoldenHashes kGolden[] = {
     {"normals_constants_spherical_cap", 0x8b8e38b3f60f1789u},
     {"reflection_constants_spherical_cap", 0x306d8f4d45bce52du, 0x17a0e133a5996a86u},
     {"dielectric_constants_spherical_cap", 0x1421b746cb96988bu},
-    {"evaluate_constants", 0x86bfb969145d6b00u},
+    {"evaluate_reflection_constants", 0x86bfb969145d6b00u},
     {"evaluate_dielectric_constants", 0xafaf82f261460b00u},
     {"pdf_normals_constants", 0x2e4718ac8943ad2u},
     {"normals_bad_constants_polar", 0x730beb9f4ede2325u},
@@ -86,7 +86,7 @@ constexpr GoldenHashes kGolden[] = {
     {"normals_bad_constants_spherical_cap", 0x730beb9f4ede2325u},
     {"reflection_bad_constants_spherical_cap", 0x694ae46392062325u, 0x95e3a5c5c2722325u},
     {"dielectric_bad_constants_spherical_cap", 0xb036bbd7f79a2325u},
-    {"evaluate_bad_constants", 0xc74b47c8c74a2325u},
+    {"evaluate_reflection_bad_constants", 0xc74b47c8c74a2325u},
     {"evaluate_dielectric_bad_constants", 0xc74b47c8c74a2325u},
     {"pdf_normals_bad_constants", 0xb9c687412ff62325u},
     {"normals_matrix_polar", 0xd2ea38b14e13e541u},
@@ -98,7 +98,7 @@ constexpr GoldenHashes kGolden[] = {
     {"normals_matrix_spherical_cap", 0xc4bf54e1c1e2d9b7u},
     {"reflection_matrix_spherical_cap", 0x376824f689e221d3u, 0xeafe55d2ddfa5580u},
     {"dielectric_matrix_spherical_cap", 0x9fad8a5529f9be1eu},
-    {"evaluate_matrix", 0x1c2c4abed3b29a7cu},
+    {"evaluate_reflection_matrix", 0x1c2c4abed3b29a7cu},
     {"evaluate_dielectric_matrix", 0xde8d9f333cac7df4u},
     {"pdf_normals_matrix", 0xa0980454bac62635u},
 };

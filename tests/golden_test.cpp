@@ -4,16 +4,16 @@
 #include <map>
 
 #include "golden_hashes.h"
-#include "shading/operations.h"
-#include "support/operations.h"
+#include "reference/random.h"
+#include "support/bits.h"
 
 namespace vndf::testing {
 namespace {
 
 constexpr std::size_t kCount = 1 << 16;
 
-/// Columns for each letter of shading::Operation.
-std::map<char, Table> make_columns() {
+/// The columns of each kind.
+std::map<Kind, Table> make_columns() {
   Table wo(3), alpha(2), u(2);
   reference::Random random(2018);
   // Views of any direction and length up to 1.7, alpha in four binades: exactly the same floats everywhere.
@@ -28,20 +28,25 @@ std::map<char, Table> make_columns() {
   }
   Table turned = {wo[1], wo[2], wo[0]}, eta = {std::vector<float>(kCount, 1.5f)};
   u.push_back(alpha[0]);
-  return {{'w', wo}, {'l', turned}, {'m', turned}, {'a', alpha}, {'t', turned}, {'u', u}, {'e', eta}};
+  return {{Kind::view, wo},      {Kind::light, turned}, {Kind::normal, turned}, {Kind::alpha, alpha},
+          {Kind::theta, turned}, {Kind::u, u},          {Kind::eta, eta}};
 }
 
-/// FNV-1a over the bits.
-std::uint64_t hash(const Table& table, std::size_t from, std::size_t to) {
+/// FNV-1a over the bits of the outputs that may be left out, or of the others.
+std::uint64_t hash(const Operation& operation, const Table& table, bool optional) {
   std::uint64_t h = 0xcbf29ce484222325u;
-  for (std::size_t c = from; c < to; ++c)
+  bool any = false;
+  for (std::size_t c = 0; c < table.size(); ++c) {
+    if (operation.outputs[c].optional != optional) continue;
+    any = true;
     for (float value : table[c]) {
       std::uint32_t bits;
       std::memcpy(&bits, &value, sizeof bits);
       if (value != value) bits = 0x7fc00000;  // one NaN is as good as another
       h = (h ^ bits) * 0x100000001b3u;
     }
-  return h;
+  }
+  return any ? h : 0;
 }
 
 class Golden : public ::testing::TestWithParam<std::string> {
@@ -54,25 +59,20 @@ class Golden : public ::testing::TestWithParam<std::string> {
 INSTANTIATE_TEST_SUITE_P(, Golden, ::testing::ValuesIn(isa_names()), [](const auto& info) { return info.param; });
 
 TEST_P(Golden, Bits) {
-  static const std::map<char, Table> all = make_columns();
-  auto rows = std::begin(kGolden);
-  auto compare = [&](const std::string& name, const std::string& letters, std::size_t outputs, auto run) {
-    std::vector<Column> in;
-    std::map<char, std::size_t> used;
-    for (char letter : letters) in.push_back(all.at(letter)[used[letter]++].data());
-    Table out(outputs, std::vector<float>(kCount));
-    run(kCount, in, results(out));
-    std::size_t always = outputs == 9 ? 5 : outputs;
-    std::uint64_t found = hash(out, 0, always), normals = outputs == 9 ? hash(out, always, outputs) : 0;
-    bool same = rows != std::end(kGolden) && rows->name == name && rows->results == found && rows->normals == normals;
-    EXPECT_TRUE(same) << "now {\"" << name << "\", " << std::hex << std::showbase << found << "u, " << normals << "u},";
-    if (rows != std::end(kGolden)) ++rows;
-  };
-  for (const Operation& o : operations())
-    compare(o.name, std::string("wwwaauu").substr(7 - o.inputs), o.outputs,
-            [&](std::size_t n, const auto& in, const auto& out) { o.run(n, in.data(), out.data()); });
-  for (const shading::Operation& o : shading::operations()) compare(o.name, o.inputs, o.outputs, o.run);
-  EXPECT_EQ(rows, std::end(kGolden)) << "rows without a function";
+  const std::map<Kind, Table> all = make_columns();
+  std::map<std::string, GoldenHashes> rows;
+  for (const GoldenHashes& row : kGolden) EXPECT_TRUE(rows.emplace(row.name, row).second) << row.name << " twice";
+  for (const Operation& operation : operations()) {
+    Table in;
+    for (const Input& input : operation.inputs) in.push_back(all.at(input.kind)[input.index]);
+    Table out = evaluate(operation, in);
+    std::uint64_t results = hash(operation, out, false), optional = hash(operation, out, true);
+    const GoldenHashes& row = rows[operation.name];
+    EXPECT_TRUE(row.results == results && row.optional == optional)
+        << "now {\"" << operation.name << "\", " << std::hex << std::showbase << results << "u, " << optional << "u},";
+    rows.erase(operation.name);
+  }
+  for (const auto& row : rows) ADD_FAILURE() << row.first << " is no row of the table";
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 #include <vndf/ellipsoid.h>
 #include <vndf/lanes.h>
 
-#include "support/operations.h"
+#include "support/inputs.h"
 
 namespace vndf::testing {
 namespace {
@@ -19,7 +19,7 @@ template <class F>
 void run_lanes(const Operation& operation, const Table& in, Table& out, std::size_t i) {
   auto load = [&](std::size_t c) { return lanes::op::load<F>(in[c].data() + i); };
   auto store = [&](F value, std::size_t c) { lanes::op::store(value, out[c].data() + i); };
-  if (operation.inputs == 2) {
+  if (operation.inputs.size() == 2) {
     lanes::Vec2<F> u{load(0), load(1)};
     auto t = lanes::cartesian(operation.warp == Warp::polar ? lanes::polar_map(u) : lanes::concentric_map(u));
     store(t.x, 0);
@@ -34,19 +34,27 @@ void run_lanes(const Operation& operation, const Table& in, Table& out, std::siz
   store(wm.z, 2);
 }
 
+std::vector<Operation> plain_normals() {
+  std::vector<Operation> rows;
+  for (const char* name :
+       {"normals_polar", "normals_concentric", "normals_spherical_cap", "disk_polar", "disk_concentric"})
+    rows.push_back(operation(name));
+  return rows;
+}
+
 class Lanes : public ::testing::TestWithParam<Operation> {
  protected:
   template <class F>
   static void expect_bits_of_the_batch_api() {
     constexpr std::size_t kCount = 1 << 16;
     Table in = mixed_inputs(GetParam(), kCount, 1);
-    Table out(GetParam().outputs, std::vector<float>(kCount));
+    Table out(GetParam().outputs.size(), std::vector<float>(kCount));
     for (std::size_t i = 0; i < kCount; i += lanes::kWidth<F>) run_lanes<F>(GetParam(), in, out, i);
-    EXPECT_TRUE(same_bits(evaluate(GetParam(), in), out, in));
+    EXPECT_TRUE(same_bits(GetParam(), evaluate(GetParam(), in), out, in));
   }
 };
-INSTANTIATE_TEST_SUITE_P(, Lanes, ::testing::ValuesIn(operations()),
-                         [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(, Lanes, ::testing::ValuesIn(plain_normals()),
+                         [](const auto& info) { return info.param.name; });
 
 TEST_P(Lanes, Float) {
   expect_bits_of_the_batch_api<float>();

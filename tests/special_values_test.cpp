@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "reference/errors.h"
-#include "support/operations.h"
+#include "support/bits.h"
 
 namespace vndf::testing {
 namespace {

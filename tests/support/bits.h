@@ -1,4 +1,4 @@
-// Tables of columns, compared bit by bit, on every instruction set.
+// Tables of columns, evaluated and compared bit by bit, on every instruction set.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include <vndf/vndf.h>
+#include "support/operations.h"
 
 namespace vndf::testing {
 
@@ -24,6 +24,16 @@ inline std::vector<float*> results(Table& table, std::size_t from = 0) {
   std::vector<float*> result;
   for (auto& column : table) result.push_back(column.data() + from);
   return result;
+}
+
+/// A row on all of `in`, on the set in use.
+inline Table evaluate(const Operation& operation, const Table& in, const std::vector<Column>& columns) {
+  Table out(operation.outputs.size(), std::vector<float>(in[0].size()));
+  operation.run(in[0].size(), columns.data(), results(out).data());
+  return out;
+}
+inline Table evaluate(const Operation& operation, const Table& in) {
+  return evaluate(operation, in, columns(in));
 }
 
 /// Equal bits where not NaN, and NaN in the same places.
@@ -51,6 +61,12 @@ class KeepIsa {
   std::string name_;
 };
 
+inline std::vector<std::string> isa_names() {
+  std::vector<std::string> names;
+  for (const Isa& isa : isas()) names.push_back(isa.name);
+  return names;
+}
+
 /// Calls f with each set in use that is supported here.
 template <class F>
 void on_every_isa(F f) {
@@ -61,6 +77,14 @@ void on_every_isa(F f) {
       SCOPED_TRACE(isa.name);
       f();
     }
+}
+
+/// Calls f on the scalar set.
+template <class F>
+auto on_scalar(F f) {
+  KeepIsa keep;
+  EXPECT_EQ(set_isa("scalar"), IsaError::none);
+  return f();
 }
 
 }  // namespace vndf::testing

@@ -1,168 +1,241 @@
+// Each public function is spelled once, for any kind of surface; then come the warps, surfaces and options there are.
+// What is new in the library (a function, an option, an optional output, a surface) is added here, and golden_hashes.h
+// gets the lines that golden_test prints. The other suites follow the table.
 #include "support/operations.h"
 
-#include <cmath>
-#include <cstdio>
-#include <cstring>
-#include <limits>
+#include <cstdlib>
 
 namespace vndf::testing {
 namespace {
 
-template <Warp warp>
-void run_normals(std::size_t count, const Column* in, float* const* out) {
-  sample_normals(warp, count, {in[0], in[1], in[2]}, {in[3], in[4]}, {in[5], in[6]}, {out[0], out[1], out[2]});
+using Inputs = std::vector<Input>;
+using Outputs = std::vector<Output>;
+using Rows = std::vector<Operation>;
+
+template <class T>
+std::vector<T> operator+(std::vector<T> a, const std::vector<T>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
 }
 
-template <DiskMap map>
-void run_disk(std::size_t count, const Column* in, float* const* out) {
-  sample_disk(map, count, {in[0], in[1]}, {out[0], out[1]});
+// Columns of a row, by the member of In or Out where a call finds them.
+template <class Group>
+Input input(const std::string& name, Kind kind, Group In::*group, Column Group::*column) {
+  return {name, kind, [=](In& in) -> Column& { return in.*group.*column; }};
+}
+Inputs inputs(const std::string& name, Kind kind, Columns3 In::*group) {
+  return {input(name + ".x", kind, group, &Columns3::x), input(name + ".y", kind, group, &Columns3::y),
+          input(name + ".z", kind, group, &Columns3::z)};
+}
+Inputs inputs(const std::string& name, Kind kind, Columns2 In::*group) {
+  return {input(name + ".x", kind, group, &Columns2::x), input(name + ".y", kind, group, &Columns2::y)};
+}
+Inputs inputs(const std::string& name, Kind kind, Column In::*column) {
+  return {{name, kind, [=](In& in) -> Column& { return in.*column; }}};
+}
+template <class Group>
+Output output(const std::string& name, Result result, Group Out::*group, float* Group::*column) {
+  return {name, result, [=](Out& out) -> float*& { return out.*group.*column; }};
+}
+Outputs outputs(const std::string& name, Result result, Out3 Out::*group) {
+  return {output(name + ".x", result, group, &Out3::x), output(name + ".y", result, group, &Out3::y),
+          output(name + ".z", result, group, &Out3::z)};
+}
+Outputs outputs(const std::string& name, Result result, Out2 Out::*group) {
+  return {output(name + ".x", result, group, &Out2::x), output(name + ".y", result, group, &Out2::y)};
+}
+Outputs outputs(const std::string& name, Result result, float* Out::*column) {
+  return {{name, result, [=](Out& out) -> float*& { return out.*column; }}};
+}
+Outputs optional(Outputs columns) {
+  for (Output& column : columns) column.optional = true;
+  return columns;
 }
 
-float from_bits(std::uint32_t bits) {
-  float value;
-  std::memcpy(&value, &bits, sizeof value);
-  return value;
-}
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-constexpr float kLargest = std::numeric_limits<float>::max();
+const Inputs wo = inputs("wo", Kind::view, &In::wo), wi = inputs("wi", Kind::light, &In::wi),
+             wm = inputs("wm", Kind::normal, &In::wm), alpha = inputs("alpha", Kind::alpha, &In::alpha),
+             theta = inputs("theta", Kind::theta, &In::theta), theta_z = {theta[2]},
+             eta = inputs("eta", Kind::eta, &In::eta), u3 = inputs("u", Kind::u, &In::u), u2 = {u3[0], u3[1]};
 
-template <std::size_t N>
-float pick(reference::Random& random, const float (&values)[N]) {
-  return values[random.below(N)];
+const Outputs out_wm = outputs("wm", Result::normal, &Out::wm), out_wi = outputs("wi", Result::direction, &Out::wi),
+              point = outputs("t", Result::point, &Out::t), pdf = outputs("pdf", Result::density, &Out::pdf),
+              weight = outputs("weight", Result::weight, &Out::weight),
+              f_cos = outputs("f_cos", Result::f_cos, &Out::f_cos), side = outputs("side", Result::side, &Out::side),
+              wo_dot_wm = outputs("wo_dot_wm", Result::cosine, &Out::wo_dot_wm);
+
+/// A kind of surface: its name, its columns, and what a function takes for them.
+template <class Of>
+struct Surface {
+  std::string name;
+  Inputs inputs;
+  Of of;
+  bool in_domain = true;
+};
+template <class Of>
+Surface(std::string, Inputs, Of) -> Surface<Of>;
+template <class Of>
+Surface(std::string, Inputs, Of, bool) -> Surface<Of>;
+
+/// The functions for a kind of surface, with the options that they take for it, and the rows that they add.
+template <class Of>
+class Functions {
+ public:
+  Functions(Rows& rows, const Surface<Of>& surface) : rows_(rows), surface_(surface), of_(surface.of) {}
+
+  void normals(Warp warp) {
+    add("normals", name_of(warp), wo + surface_.inputs + u2, out_wm, warp,
+        [warp, of = of_](std::size_t n, const In& in, const Out& out) {
+          sample_normals(warp, n, in.wo, of(in), in.pair(), out.wm);
+        });
+  }
+  void pdf_of_normals() {
+    add("pdf_normals", "", wo + wm + surface_.inputs, pdf, Warp::concentric,
+        [of = of_](std::size_t n, const In& in, const Out& out) { pdf_normals(n, in.wo, in.wm, of(in), out.pdf); });
+  }
+  template <class... Options>
+  void reflection(Warp warp, const std::string& options_name, const Options&... options) {
+    add("reflection", name_of(warp) + options_name, wo + surface_.inputs + u2,
+        out_wi + pdf + weight + optional(out_wm + wo_dot_wm), warp,
+        [=, of = of_](std::size_t n, const In& in, const Out& out) {
+          sample_reflection(warp, n, in.wo, of(in), in.pair(), {out.wi, out.pdf, out.weight, out.wm, out.wo_dot_wm},
+                            options...);
+        });
+  }
+  template <class... Options>
+  void evaluate(const std::string& options_name, const Options&... options) {
+    add("evaluate_reflection", options_name, wo + wi + surface_.inputs, f_cos + pdf, Warp::concentric,
+        [=, of = of_](std::size_t n, const In& in, const Out& out) {
+          evaluate_reflection(n, in.wo, in.wi, of(in), {out.f_cos, out.pdf}, options...);
+        });
+  }
+  template <class... Options>
+  void dielectric(Warp warp, const std::string& options_name, const Options&... options) {
+    add("dielectric", name_of(warp) + options_name, wo + surface_.inputs + eta + u3, out_wi + pdf + weight + side, warp,
+        [=, of = of_](std::size_t n, const In& in, const Out& out) {
+          sample_dielectric(warp, n, in.wo, of(in), in.eta, in.u, {out.wi, out.pdf, out.weight, out.side}, options...);
+        });
+  }
+  template <class... Options>
+  void evaluate_across(const std::string& options_name, const Options&... options) {
+    add("evaluate_dielectric", options_name, wo + wi + surface_.inputs + eta, f_cos + pdf, Warp::concentric,
+        [=, of = of_](std::size_t n, const In& in, const Out& out) {
+          evaluate_dielectric(n, in.wo, in.wi, of(in), in.eta, {out.f_cos, out.pdf}, options...);
+        });
+  }
+
+ private:
+  static std::string name_of(Warp warp) { return std::string("_") + kWarpNames[int(warp)]; }
+  template <class Call>
+  void add(const std::string& function, const std::string& end, const Inputs& in, const Outputs& out, Warp warp,
+           Call call) {
+    std::string kind = surface_.name.empty() ? "" : "_" + surface_.name;
+    rows_.push_back({function + kind + end, in, out, call, warp, surface_.in_domain});
+  }
+
+  Rows& rows_;
+  const Surface<Of>& surface_;
+  Of of_;
+};
+
+void add_disk(Rows& rows) {
+  for (DiskMap map : {DiskMap::polar, DiskMap::concentric}) {
+    Warp warp = map == DiskMap::polar ? Warp::polar : Warp::concentric;
+    rows.push_back({std::string("disk_") + kWarpNames[int(warp)], u2, point,
+                    [map](std::size_t n, const In& in, const Out& out) { sample_disk(map, n, in.pair(), out.t); },
+                    warp});
+  }
 }
 
-float any_wo(reference::Random& random) {
-  static const float values[] = {0.f,      -0.f,    1.f,   -1.f,   0.6f,      -0.6f,      1e-20f,    -1e-20f,
-                                 1e20f,    -1e20f,  1e30f, 1e-30f, 1e-40f,    -1e-40f,    0x1p-149f, 1e-38f,
-                                 0x1p-75f, 0x1p75f, kNan,  -kNan,  kInfinity, -kInfinity, kLargest,  -kLargest};
-  return random.below(2) ? pick(random, values) : float(random.uniform(-1, 1));
+/// Plain GGX, which has options.
+void add_plain(Rows& rows) {
+  const Surface plain{"", alpha, [](const In& in) { return in.alpha; }};
+  Functions functions(rows, plain);
+  for (Warp warp : kWarps) functions.normals(warp);
+  functions.pdf_of_normals();
+  for (Masking masking : {Masking::height_correlated, Masking::separable}) {
+    std::string name = masking == Masking::separable ? "_separable" : "";
+    for (bool bounded : {false, true}) {
+      std::string reflection_name = (bounded ? "_bounded" : "") + name;
+      ReflectionOptions options{masking, bounded};
+      for (Warp warp : kWarps) functions.reflection(warp, reflection_name, options);
+      functions.evaluate(reflection_name, options);
+    }
+    for (Warp warp : kWarps) functions.dielectric(warp, name, masking);
+    functions.evaluate_across(name, masking);
+  }
 }
-float any_alpha(reference::Random& random) {
-  static const float values[] = {0.f,   -0.f, 0x1p-149f, 1e-40f, 1e-38f,  1e-30f, 1e-20f,    1e-6f,      1.f,
-                                 100.f, 1e6f, 1e30f,     -0.5f,  -1e-30f, kNan,   kInfinity, -kInfinity, kLargest};
-  return random.below(2) ? pick(random, values) : float(random.uniform(0, 1));
+
+/// Ellipsoids, which have none.
+template <class Of>
+void add_ellipsoid(Rows& rows, const Surface<Of>& surface) {
+  Functions functions(rows, surface);
+  for (Warp warp : kWarps) {
+    functions.normals(warp);
+    functions.reflection(warp, "");
+    functions.dielectric(warp, "");
+  }
+  functions.evaluate("");
+  functions.evaluate_across("");
+  functions.pdf_of_normals();
 }
-float any_u(reference::Random& random) {
-  static const float values[] = {0.f,   -0.f,   1 - 0x1p-24f, 1.f,       1 + 0x1p-23f, -0x1p-24f,
-                                 0.5f,  0.25f,  0.75f,        -1.f,      2.f,          1e-40f,
-                                 1e10f, -1e30f, kNan,         kInfinity, -kInfinity,   kLargest};
-  return random.below(2) ? pick(random, values) : random.unit();
+
+Rows rows() {
+  Rows rows;
+  add_disk(rows);
+  add_plain(rows);
+  add_ellipsoid(rows, Surface{"tilted", alpha + theta,
+                              [](const In& in) { return Ellipsoid(in.alpha, in.theta.x, in.theta.y, in.theta.z); }});
+  add_ellipsoid(
+      rows, Surface{"turned", alpha + theta_z, [](const In& in) { return Ellipsoid(in.alpha, 0.f, 0.f, in.theta.z); }});
+  // One shape: of angles, of angles beyond what is promised, of a matrix.
+  add_ellipsoid(rows, Surface{"constants", Inputs(), [](const In&) {
+                                return Ellipsoid({0.3f, 0.6f}, 0.3f, -0.2f, 0.5f);
+                              }});
+  add_ellipsoid(rows, Surface{"bad_constants", Inputs(),
+                              [](const In&) {
+                                return Ellipsoid({-0.f, 1e20f}, 2.f, 1e-40f, 7.f);
+                              },
+                              false});
+  add_ellipsoid(
+      rows,
+      Surface{"matrix", Inputs(), [](const In&) {
+                Shape shape;
+                if (make_shape({0.4f, 0.1f, 0.3f, -0.2f, 0.5f, -0.1f, 0.05f, 0.1f, 1.2f}, shape) != ShapeError::none)
+                  std::abort();
+                return shape;
+              }});
+  for (Operation& row : rows) {
+    std::size_t used[16] = {};
+    for (Input& input : row.inputs) input.index = used[std::size_t(input.kind)]++;
+  }
+  return rows;
 }
 
 }  // namespace
 
+void Operation::run(std::size_t count, const Column* in, float* const* out) const {
+  In from;
+  Out to;
+  for (std::size_t c = 0; c < inputs.size(); ++c) inputs[c].in(from) = in[c];
+  for (std::size_t c = 0; c < outputs.size(); ++c) outputs[c].out(to) = out[c];
+  call(count, from, to);
+}
+
+bool Operation::takes(Kind kind) const {
+  for (const Input& input : inputs)
+    if (input.kind == kind) return true;
+  return false;
+}
+
 const std::vector<Operation>& operations() {
-  static const std::vector<Operation> rows = {
-      {"normals_polar", 7, 3, Warp::polar, run_normals<Warp::polar>},
-      {"normals_concentric", 7, 3, Warp::concentric, run_normals<Warp::concentric>},
-      {"normals_spherical_cap", 7, 3, Warp::spherical_cap, run_normals<Warp::spherical_cap>},
-      {"disk_polar", 2, 2, Warp::polar, run_disk<DiskMap::polar>},
-      {"disk_concentric", 2, 2, Warp::concentric, run_disk<DiskMap::concentric>},
-  };
-  return rows;
+  static const Rows all = rows();
+  return all;
 }
 
-void PrintTo(const Operation& operation, std::ostream* out) {
-  *out << operation.name;
-}
-
-Table hard_inputs(const Operation& operation, const reference::HardCase& hard_case, std::size_t count,
-                  std::uint64_t seed) {
-  reference::Inputs in = reference::generate(hard_case, operation.warp, count, seed);
-  Table table{std::move(in.wo_x),    std::move(in.wo_y), std::move(in.wo_z), std::move(in.alpha_x),
-              std::move(in.alpha_y), std::move(in.u_x),  std::move(in.u_y)};
-  table.erase(table.begin(), table.end() - std::ptrdiff_t(operation.inputs));
-  return table;
-}
-
-Table bad_inputs(const Operation& operation, std::size_t count, std::uint64_t seed) {
-  using Any = float (*)(reference::Random&);
-  constexpr Any kinds[] = {any_wo, any_wo, any_wo, any_alpha, any_alpha, any_u, any_u};
-  Table table(operation.inputs, std::vector<float>(count));
-  for (std::size_t i = 0; i < count; ++i) {
-    reference::Random random(seed, i);
-    for (std::size_t c = 0; c < operation.inputs; ++c) table[c][i] = kinds[7 - operation.inputs + c](random);
-  }
-  return table;
-}
-
-Table random_bits(const Operation& operation, std::size_t count, std::uint64_t seed) {
-  Table table(operation.inputs, std::vector<float>(count));
-  for (std::size_t i = 0; i < count; ++i) {
-    reference::Random random(seed, i);
-    for (auto& column : table) column[i] = from_bits(std::uint32_t(random.bits()));
-  }
-  return table;
-}
-
-Table mixed_inputs(const Operation& operation, std::size_t count, std::uint64_t seed) {
-  std::vector<Table> sources;
-  std::size_t kinds = reference::hard_cases().size() + 2;
-  std::size_t each = count / kinds + 1;
-  for (const auto& row : reference::hard_cases()) sources.push_back(hard_inputs(operation, row, each, seed));
-  sources.push_back(bad_inputs(operation, each, seed));
-  sources.push_back(random_bits(operation, each, seed));
-  Table table(operation.inputs, std::vector<float>(count));
-  for (std::size_t c = 0; c < table.size(); ++c)
-    for (std::size_t i = 0; i < count; ++i) table[c][i] = sources[i % kinds][c][i / kinds];
-  return table;
-}
-
-Table evaluate(const Operation& operation, const Table& in) {
-  Table out(operation.outputs, std::vector<float>(in[0].size()));
-  operation.run(in[0].size(), columns(in).data(), results(out).data());
-  return out;
-}
-
-Table evaluate_on(const char* isa, const Operation& operation, const Table& in) {
-  KeepIsa keep;
-  EXPECT_EQ(set_isa(isa), IsaError::none) << isa;
-  return evaluate(operation, in);
-}
-
-::testing::AssertionResult same_bits(const Table& expected, const Table& actual, const Table& in) {
-  std::size_t differences = 0, first = 0, first_column = 0;
-  for (std::size_t c = 0; c < expected.size(); ++c)
-    for (std::size_t i = 0; i < expected[c].size(); ++i)
-      if (!same_bits(expected[c][i], actual[c][i]) && differences++ == 0) {
-        first = i;
-        first_column = c;
-      }
-  if (differences == 0) return ::testing::AssertionSuccess();
-  char values[100];
-  std::snprintf(values, sizeof values, "%a instead of %a", actual[first_column][first], expected[first_column][first]);
-  return ::testing::AssertionFailure() << differences << " values differ; output " << first_column << " at index "
-                                       << first << " is " << values << " for " << describe(in, first);
-}
-
-std::string describe(const Table& in, std::size_t index) {
-  std::string text;
-  static const char* const names[] = {"wo", ", ", ", ", "  alpha", ", ", "  u", ", "};
-  for (std::size_t c = 0; c < in.size(); ++c) {
-    const char* name = names[7 - in.size() + c];
-    char value[60];
-    std::snprintf(value, sizeof value, "%s%s%a", name, name[0] == ',' ? "" : " ", in[c][index]);
-    text += value;
-  }
-  return text;
-}
-
-std::vector<std::string> isa_names() {
-  std::vector<std::string> names;
-  for (const Isa& isa : isas()) names.push_back(isa.name);
-  return names;
-}
-
-std::vector<std::string> supported_isa_names() {
-  std::vector<std::string> names;
-  for (const Isa& isa : isas())
-    if (isa.supported) names.push_back(isa.name);
-  return names;
-}
-
-std::string operation_and_isa(const ::testing::TestParamInfo<EveryOperation::ParamType>& info) {
-  return std::string(std::get<0>(info.param).name) + "_" + std::get<1>(info.param);
+const Operation& operation(const std::string& name) {
+  for (const Operation& row : operations())
+    if (row.name == name) return row;
+  std::abort();
 }
 
 }  // namespace vndf::testing

@@ -1,70 +1,71 @@
-// The public batch functions in one shape, columns in and columns out, so that a promise that all of them make is
-// tested on all of them.
+// The public functions as rows of one table: every warp, surface and option, with columns in and columns out. A promise
+// that all functions make is tested on all rows. Nothing here but the library's own headers: hosts compile it too.
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <ostream>
+#include <functional>
 #include <string>
 #include <vector>
 
-#include <gtest/gtest.h>
-
-#include "reference/hard_cases.h"
-#include "support/bits.h"
+#include <vndf/ellipsoid.h>
 
 namespace vndf::testing {
 
-/// The inputs of sample_normals are wo x, y, z, alpha x, y, u x, y; those of sample_disk u x, y.
+/// What is in a column of the inputs. It decides which values are tried.
+enum class Kind { view, light, normal, alpha, theta, eta, u };
+
+/// What is in a column of the outputs. It decides what holds for every value.
+enum class Result { normal, direction, point, cosine, density, weight, f_cos, side };
+
+/// The columns of a call by name. A row reads those that its inputs name.
+struct In {
+  Columns3 wo{0, 0, 0}, wi = wo, wm = wo;
+  Columns2 alpha{0, 0};
+  Columns3 theta{0, 0, 0};
+  Column eta = 0;
+  Columns3 u = wo;
+
+  Columns2 pair() const { return {u.x, u.y}; }
+};
+struct Out {
+  Out3 wm{}, wi{};
+  Out2 t{};
+  float *pdf{}, *weight{}, *f_cos{}, *side{}, *wo_dot_wm{};
+};
+
+/// A column of a row. `index` counts the columns of its kind in that row.
+struct Input {
+  std::string name;
+  Kind kind;
+  std::function<Column&(In&)> in;
+  std::size_t index = 0;
+};
+struct Output {
+  std::string name;
+  Result result;
+  std::function<float*&(Out&)> out;
+  bool optional = false;  ///< may be a null pointer
+};
+
 struct Operation {
-  const char* name;
-  std::size_t inputs, outputs;
-  Warp warp;  ///< for a disk, the warp that uses it
-  void (*run)(std::size_t count, const Column* in, float* const* out);
+  std::string name;
+  std::vector<Input> inputs;
+  std::vector<Output> outputs;
+  std::function<void(std::size_t count, const In& in, const Out& out)> call;
+  Warp warp = Warp::concentric;  ///< decides which random numbers are hard
+  bool in_domain = true;         ///< false: a surface beyond what is promised, which has bits all the same
+
+  /// Columns in the order of `inputs` and `outputs`.
+  void run(std::size_t count, const Column* in, float* const* out) const;
+  bool takes(Kind kind) const;
 };
+
+/// The rows. To add one, see operations.cpp.
 const std::vector<Operation>& operations();
-void PrintTo(const Operation& operation, std::ostream* out);
+/// The row of this name, which must be there.
+const Operation& operation(const std::string& name);
 
-// Inputs of an operation. A smaller count gives a prefix.
-Table hard_inputs(const Operation& operation, const reference::HardCase& hard_case, std::size_t count,
-                  std::uint64_t seed);
-/// Values that the library has to survive, mixed with good ones.
-Table bad_inputs(const Operation& operation, std::size_t count, std::uint64_t seed);
-/// Any 32 bits.
-Table random_bits(const Operation& operation, std::size_t count, std::uint64_t seed);
-/// All of the above, dealt in turn.
-Table mixed_inputs(const Operation& operation, std::size_t count, std::uint64_t seed);
-
-/// On the set in use.
-Table evaluate(const Operation& operation, const Table& in);
-Table evaluate_on(const char* isa, const Operation& operation, const Table& in);
-
-/// With the inputs of what differs.
-::testing::AssertionResult same_bits(const Table& expected, const Table& actual, const Table& in);
-/// One row of the inputs, for people.
-std::string describe(const Table& in, std::size_t index);
-
-std::vector<std::string> isa_names();
-std::vector<std::string> supported_isa_names();
-
-/// Tests that run for every operation on every set.
-class EveryOperation : public ::testing::TestWithParam<std::tuple<Operation, std::string>> {
- protected:
-  void SetUp() override {
-    if (set_isa(isa().c_str()) == IsaError::unsupported) GTEST_SKIP() << isa() << " is not supported here";
-  }
-  static const Operation& operation() { return std::get<0>(GetParam()); }
-  static const std::string& isa() { return std::get<1>(GetParam()); }
-
- private:
-  KeepIsa keep_;
-};
-std::string operation_and_isa(const ::testing::TestParamInfo<EveryOperation::ParamType>& info);
+constexpr Warp kWarps[] = {Warp::polar, Warp::concentric, Warp::spherical_cap};
+constexpr const char* kWarpNames[] = {"polar", "concentric", "spherical_cap"};
 
 }  // namespace vndf::testing
-
-#define VNDF_FOR_EVERY_OPERATION(suite)                                                         \
-  INSTANTIATE_TEST_SUITE_P(, suite,                                                             \
-                           ::testing::Combine(::testing::ValuesIn(vndf::testing::operations()), \
-                                              ::testing::ValuesIn(vndf::testing::isa_names())), \
-                           vndf::testing::operation_and_isa)

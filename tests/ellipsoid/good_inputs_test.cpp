@@ -1,66 +1,11 @@
-// What shading/bits_test.cpp, which runs all functions for every kind of shapes, does not ask: the ways of saying that
-// angles are 0, and results for good inputs of shapes.
+// Good inputs give finite results, for shapes.
 #include <gtest/gtest.h>
 
 #include "ellipsoid/model.h"
-#include "shading/operations.h"
+#include "support/bits.h"
 
 namespace vndf::ellipsoid {
 namespace {
-
-using namespace vndf::testing;
-
-// Zeros among the angles are numbers like any other, whichever sign they have, unless both theta_x and theta_y are the
-// constant 0.
-TEST(ZeroAngles, AsColumnsAndConstants) {
-  constexpr std::size_t kCount = 1 << 14;
-  std::size_t compared = 0;
-  for (const auto& operation : shading::operations()) {
-    std::size_t theta = operation.inputs.find("ttt");
-    if (theta == std::string::npos) continue;
-    ++compared;
-    Table in = inputs(operation, kCount, 1, true);
-    in[theta].assign(kCount, 0.f);
-    in[theta + 1].assign(kCount, 0.f);
-    on_every_isa([&] {
-      Table expected = evaluate(operation, in);
-      for (std::size_t c : {theta, theta + 1}) {
-        auto from = columns(in);
-        from[c] = 0.f;
-        Table out(operation.outputs, std::vector<float>(kCount));
-        operation.run(kCount, from, results(out));
-        ASSERT_TRUE(same_bits(expected, out)) << operation.name << " " << c;
-      }
-    });
-  }
-  EXPECT_GE(compared, 12u);
-}
-
-// The normal of sample_reflection is that of sample_normals, whichever way the angles are given.
-TEST(WantedOutputs, NormalIsThatOfSampleNormals) {
-  constexpr std::size_t kCount = 1 << 14;
-  reference::Random random(4);
-  Directions wo(kCount), wm(kCount);
-  Samples sample(kCount);
-  Table u(2, std::vector<float>(kCount)), alpha = u, theta(3, u[0]);
-  for (std::size_t i = 0; i < kCount; ++i) {
-    double z = random.unit(), phi = random.uniform(0, 2 * kPi<double>), s = std::sqrt(1 - z * z);
-    wo.set(i, V3<double>{s * std::cos(phi), s * std::sin(phi), z});
-    for (auto& column : u) column[i] = random.unit();
-    for (auto& column : alpha) column[i] = float(random.log_uniform(1e-3, 1));
-    for (auto& column : theta) column[i] = float(random.uniform(-1, 1));
-  }
-  const Columns2 columns{alpha[0].data(), alpha[1].data()};
-  for (Warp warp : kWarps)
-    for (const Ellipsoid& e :
-         {Ellipsoid({0.1f, 0.4f}, 0.3f, -0.2f, 0.7f), Ellipsoid(columns, 0.f, 0.f, theta[2].data()),
-          Ellipsoid(columns, theta[0].data(), theta[1].data(), theta[2].data())})
-      on_every_isa([&] {
-        sample_normals(warp, kCount, wo.in(), e, {u[0].data(), u[1].data()}, wm.out());
-        sample_reflection(warp, kCount, wo.in(), e, {u[0].data(), u[1].data()}, sample.with_normals());
-        EXPECT_TRUE(same_bits({wm.x, wm.y, wm.z}, {sample.wm.x, sample.wm.y, sample.wm.z})) << int(warp);
-      });
-}
 
 // Good inputs give finite results: unit views, alpha from 1e-6 to 100, any angles, u in [0, 1] with
 // both ends.
@@ -76,7 +21,7 @@ TEST(GoodInputs, GiveFiniteResults) {
                              {3.1f, 0, 1.f}, {2.f, -2.f, 3.f}, {1e-3f, 1e-3f, -3.14159274f}};
   const float us[] = {0.f, 0x1p-24f, 0.25f, 0.3f, 0.5f, 0.75f, 1 - 0x1p-24f, 1.f};
   const float etas[] = {0.4f, 1 / 1.5f, 0.99999f, 1.00001f, 1.5f, 2.5f};
-  Table u(4);  // three random numbers, eta
+  testing::Table u(4);  // three random numbers, eta
   for (float u1 : us)
     for (float u2 : us)
       for (float u3 : {0.f, 0.5f, 1.f})
