@@ -1,5 +1,7 @@
-// The lane API gives the bits of the batch API, for float and for a vector of the set that the test is compiled for.
-#include <vndf/ellipsoid.h>
+// The lane functions give the bits of the batch functions, in all rows of the table whose surface is made of columns.
+// Compiled for float, for a vector of the set that the compiler has, and for several of those at once.
+#include <map>
+
 #include <vndf/lanes.h>
 
 #include "support/inputs.h"
@@ -7,146 +9,204 @@
 namespace vndf::testing {
 namespace {
 
-/// f(the lanes' warp).
-template <class Function>
-auto with_warp(Warp warp, Function f) {
-  return warp == Warp::polar        ? f(lanes::Polar())
-         : warp == Warp::concentric ? f(lanes::Concentric())
-                                    : f(lanes::SphericalCap());
-}
-
+/// The columns of a call at an index.
 template <class F>
-void run_lanes(const Operation& operation, const Table& in, Table& out, std::size_t i) {
-  auto load = [&](std::size_t c) { return lanes::op::load<F>(in[c].data() + i); };
-  auto store = [&](F value, std::size_t c) { lanes::op::store(value, out[c].data() + i); };
-  if (operation.inputs.size() == 2) {
-    lanes::Vec2<F> u{load(0), load(1)};
-    auto t = lanes::cartesian(operation.warp == Warp::polar ? lanes::polar_map(u) : lanes::concentric_map(u));
-    store(t.x, 0);
-    store(t.y, 1);
-    return;
-  }
-  lanes::Vec3<F> wo{load(0), load(1), load(2)};
-  lanes::Vec2<F> alpha{load(3), load(4)}, u{load(5), load(6)};
-  auto wm = with_warp(operation.warp, [&](auto warp) { return lanes::sample_normal<decltype(warp)>(wo, alpha, u); });
-  store(wm.x, 0);
-  store(wm.y, 1);
-  store(wm.z, 2);
-}
+struct Lane {
+  using V3 = lanes::Vec3<F>;
+  using V2 = lanes::Vec2<F>;
+  const In& in;
+  const Out& out;
+  std::size_t i;
 
-std::vector<Operation> plain_normals() {
-  std::vector<Operation> rows;
-  for (const char* name :
-       {"normals_polar", "normals_concentric", "normals_spherical_cap", "disk_polar", "disk_concentric"})
-    rows.push_back(operation(name));
-  return rows;
-}
-
-class Lanes : public ::testing::TestWithParam<Operation> {
- protected:
-  template <class F>
-  static void expect_bits_of_the_batch_api() {
-    constexpr std::size_t kCount = 1 << 16;
-    Table in = mixed_inputs(GetParam(), kCount, 1);
-    Table out(GetParam().outputs.size(), std::vector<float>(kCount));
-    for (std::size_t i = 0; i < kCount; i += lanes::kWidth<F>) run_lanes<F>(GetParam(), in, out, i);
-    EXPECT_TRUE(same_bits(GetParam(), evaluate(GetParam(), in), out, in));
+  F load(const Column& column) const { return lanes::op::load<F>(column.data + i); }
+  V3 load(const Columns3& columns) const { return {load(columns.x), load(columns.y), load(columns.z)}; }
+  V2 load(const Columns2& columns) const { return {load(columns.x), load(columns.y)}; }
+  void store(float* column, F value) const { lanes::op::store(value, column + i); }
+  void store(const Out3& columns, const V3& v) const {
+    store(columns.x, v.x);
+    store(columns.y, v.y);
+    store(columns.z, v.z);
   }
 };
-INSTANTIATE_TEST_SUITE_P(, Lanes, ::testing::ValuesIn(plain_normals()),
-                         [](const auto& info) { return info.param.name; });
 
-TEST_P(Lanes, Float) {
-  expect_bits_of_the_batch_api<float>();
-}
-TEST_P(Lanes, Batch) {
-  expect_bits_of_the_batch_api<xsimd::batch<float>>();
-}
-TEST_P(Lanes, ManyBatches) {
-  expect_bits_of_the_batch_api<lanes::Many<xsimd::batch<float>, 4>>();
-}
-
-// And for ellipsoids: a shape for what leans, and a turned frame where only theta_z is there.
+// The surfaces: a frame, and a shape in it for views and for pairs of directions.
 template <class F>
-class EllipsoidLanes {
- public:
-  EllipsoidLanes() {
-    reference::Random random(3);
-    for (std::size_t i = 0; i < kCount; ++i) {
-      for (std::size_t c : {0, 1, 2}) in_[c][i] = float(random.uniform(-1, 1));
-      for (std::size_t c : {3, 4}) in_[c][i] = float(random.log_uniform(1e-3, 1));
-      for (std::size_t c : {5, 6, 7}) in_[c][i] = float(random.uniform(-3, 3));
-      for (std::size_t c : {8, 9}) in_[c][i] = random.unit();
-      for (std::size_t c : {10, 11, 12}) in_[c][i] = float(random.uniform(-1, 1));
-    }
+struct Plain {
+  const Lane<F>& lane;
+  auto view() const { return lane.load(lane.in.wo); }
+  auto shape() const { return lane.load(lane.in.alpha); }
+  auto for_pair() const { return shape(); }
+  auto theta_z() const { return lanes::XAxis(); }
+};
+template <class F>
+struct Turned {
+  const Lane<F>& lane;
+  auto rotation() const { return lanes::rotation_of(lane.load(lane.in.theta.z)); }
+  auto view() const { return turn(lane.load(lane.in.wo), rotation()); }
+  auto shape() const { return lane.load(lane.in.alpha); }
+  auto for_pair() const { return turned_shape(shape(), rotation()); }
+  auto theta_z() const { return lanes::angle_of<F>(rotation()); }
+};
+template <class F>
+struct Tilted {
+  const Lane<F>& lane;
+  auto view() const { return lane.load(lane.in.wo); }
+  auto shape() const {
+    auto theta = lane.load(lane.in.theta);
+    return lanes::tilted_shape(lane.load(lane.in.alpha), theta.x, theta.y, theta.z);
   }
-  void expect_bits() {
-    for (Warp warp : {Warp::polar, Warp::concentric, Warp::spherical_cap}) expect_normals(warp);
-    for (bool turned : {false, true}) {
-      evaluate_reflection(kCount, wo(), {column(10), column(11), column(12)}, ellipsoid(turned),
-                          {batch_[0].data(), batch_[1].data()});
-      each([&](std::size_t i, const V& v, const A& alpha) {
-        V wi{load(10, i), load(11, i), load(12, i)};
-        auto value = turned ? lanes::evaluate_reflection(v, wi, turned_shape(alpha, lanes::rotation_of(load(7, i))),
-                                                         lanes::kSeparable)
-                            : lanes::evaluate_reflection(v, wi, for_pairs(shape(alpha, i)), lanes::kLunes);
-        return V{value.f_cos, value.pdf, F(0.f)};
-      });
-      batch_[2].assign(kCount, 0.f);
-      EXPECT_TRUE(same_bits(batch_, lane_)) << "evaluation " << turned;
-    }
+  auto for_pair() const { return for_pairs(shape()); }
+  auto theta_z() const { return lanes::XAxis(); }
+};
+
+using Calls = std::map<std::string, decltype(Operation::call)>;
+
+/// Calls of the lane functions by the names of the rows.
+template <class F, template <class> class Surface>
+class LaneCalls {
+ public:
+  LaneCalls(Calls& calls, std::string kind) : calls_(calls), kind_(std::move(kind)) {}
+
+  template <class Warp>
+  void normals(const std::string& warp) {
+    add("normals" + kind_ + warp, [](const Lane<F>& lane, const auto& s) {
+      auto u = lane.load(lane.in.pair());
+      if constexpr (std::is_same_v<Surface<F>, Turned<F>>)
+        lane.store(lane.out.wm,
+                   lanes::sample_normal_turned<Warp>(lane.load(lane.in.wo), s.shape(), lane.load(lane.in.theta.z), u));
+      else
+        lane.store(lane.out.wm, lanes::sample_normal<Warp>(s.view(), s.shape(), u));
+    });
+  }
+  void pdf_of_normals() {
+    add("pdf_normals" + kind_, [](const Lane<F>& lane, const auto& s) {
+      lane.store(lane.out.pdf, lanes::visible_normal_pdf(lane.load(lane.in.wo), lane.load(lane.in.wm), s.for_pair()));
+    });
+  }
+  template <class Warp, class Masking>
+  void reflection(const std::string& end, Masking masking) {
+    add("reflection" + kind_ + end, [masking](const Lane<F>& lane, const auto& s) {
+      auto sample = lanes::sample_reflection<Warp>(s.view(), s.shape(), lane.load(lane.in.pair()), masking);
+      auto normal = unit_normal(sample.normal, s.theta_z());
+      lane.store(lane.out.wi, turn_back(sample.wi, s.theta_z()));
+      lane.store(lane.out.pdf, sample.pdf);
+      lane.store(lane.out.weight, sample.weight);
+      lane.store(lane.out.wm, normal.wm);
+      lane.store(lane.out.wo_dot_wm, normal.cos);
+    });
+  }
+  template <class Warp, class Masking>
+  void dielectric(const std::string& end, Masking masking) {
+    add("dielectric" + kind_ + end, [masking](const Lane<F>& lane, const auto& s) {
+      auto sample =
+          lanes::sample_dielectric<Warp>(s.view(), s.shape(), lane.load(lane.in.eta), lane.load(lane.in.u), masking);
+      lane.store(lane.out.wi, turn_back(sample, lane.load(lane.in.wo), s.theta_z()));
+      lane.store(lane.out.pdf, sample.pdf);
+      lane.store(lane.out.weight, sample.weight);
+      lane.store(lane.out.side, sample.side);
+    });
+  }
+  template <class Masking>
+  void evaluations(const std::string& end, Masking masking) {
+    add("evaluate_reflection" + kind_ + end, [masking](const Lane<F>& lane, const auto& s) {
+      store(lane, lanes::evaluate_reflection(lane.load(lane.in.wo), lane.load(lane.in.wi), s.for_pair(), masking));
+    });
+    add("evaluate_dielectric" + kind_ + end, [masking](const Lane<F>& lane, const auto& s) {
+      store(lane, lanes::evaluate_dielectric(lane.load(lane.in.wo), lane.load(lane.in.wi), s.for_pair(),
+                                             lane.load(lane.in.eta), masking));
+    });
+  }
+  template <class Masking>
+  void bounded_evaluation(const std::string& end, Masking masking) {
+    add("evaluate_reflection" + kind_ + "_bounded" + end, [masking](const Lane<F>& lane, const auto& s) {
+      store(lane,
+            lanes::evaluate_reflection_bounded(lane.load(lane.in.wo), lane.load(lane.in.wi), s.for_pair(), masking));
+    });
+  }
+  template <class Warp>
+  void disk(const std::string& warp) {
+    add("disk" + warp, [](const Lane<F>& lane, const auto&) {
+      auto t = cartesian(Warp::disk_point(lane.load(lane.in.pair())));
+      lane.store(lane.out.t.x, t.x);
+      lane.store(lane.out.t.y, t.y);
+    });
   }
 
  private:
-  static constexpr std::size_t kCount = 1 << 12;
-  using V = lanes::Vec3<F>;
-  using A = lanes::Vec2<F>;
-
-  const float* column(std::size_t c) const { return in_[c].data(); }
-  F load(std::size_t c, std::size_t i) const { return lanes::op::load<F>(column(c) + i); }
-  Columns3 wo() const { return {column(0), column(1), column(2)}; }
-  Ellipsoid ellipsoid(bool turned) const {
-    Columns2 alpha{column(3), column(4)};
-    return turned ? Ellipsoid(alpha, 0.f, 0.f, column(7)) : Ellipsoid(alpha, column(5), column(6), column(7));
-  }
-  lanes::Triangle<F> shape(const A& alpha, std::size_t i) const {
-    return lanes::tilted_shape(alpha, load(5, i), load(6, i), load(7, i));
+  static void store(const Lane<F>& lane, const lanes::Evaluation<F>& value) {
+    lane.store(lane.out.f_cos, value.f_cos);
+    lane.store(lane.out.pdf, value.pdf);
   }
   template <class Function>
-  void each(Function f) {
-    for (std::size_t i = 0; i < kCount; i += lanes::kWidth<F>) {
-      V result = f(i, V{load(0, i), load(1, i), load(2, i)}, A{load(3, i), load(4, i)});
-      lanes::op::store(result.x, lane_[0].data() + i);
-      lanes::op::store(result.y, lane_[1].data() + i);
-      lanes::op::store(result.z, lane_[2].data() + i);
-    }
-  }
-  void expect_normals(Warp warp) {
-    for (bool turned : {false, true}) {
-      sample_normals(warp, kCount, wo(), ellipsoid(turned), {column(8), column(9)},
-                     {batch_[0].data(), batch_[1].data(), batch_[2].data()});
-      each([&](std::size_t i, const V& v, const A& alpha) {
-        A u{load(8, i), load(9, i)};
-        return with_warp(warp, [&](auto w) {
-          return turned ? lanes::sample_normal_turned<decltype(w)>(v, alpha, load(7, i), u)
-                        : lanes::sample_normal<decltype(w)>(v, shape(alpha, i), u);
-        });
-      });
-      EXPECT_TRUE(same_bits(batch_, lane_)) << int(warp) << " " << turned;
-    }
+  void add(const std::string& name, Function f) {
+    calls_[name] = [f](std::size_t count, const In& in, const Out& out) {
+      for (std::size_t i = 0; i < count; i += lanes::kWidth<F>) {
+        Lane<F> lane{in, out, i};
+        f(lane, Surface<F>{lane});
+      }
+    };
   }
 
-  Table in_{13, std::vector<float>(kCount)};  // wo, alpha, theta, u, wi
-  Table batch_{3, std::vector<float>(kCount)}, lane_ = batch_;
+  Calls& calls_;
+  std::string kind_;
 };
-TEST(Ellipsoids, Float) {
-  EllipsoidLanes<float>().expect_bits();
+
+/// f(the lanes' warp, its name).
+template <class Function>
+void for_each_warp(Function f) {
+  f(lanes::Polar(), std::string("_polar"));
+  f(lanes::Concentric(), std::string("_concentric"));
+  f(lanes::SphericalCap(), std::string("_spherical_cap"));
 }
-TEST(Ellipsoids, Batch) {
-  EllipsoidLanes<xsimd::batch<float>>().expect_bits();
+
+template <class F>
+Calls lane_calls() {
+  Calls calls;
+  LaneCalls<F, Plain> plain(calls, "");
+  plain.template disk<lanes::Polar>("_polar");
+  plain.template disk<lanes::Concentric>("_concentric");
+  auto options = [&](const std::string& name, auto masking) {
+    for_each_warp([&](auto w, const std::string& warp) {
+      using Warp = decltype(w);
+      plain.template reflection<Warp>(warp + name, masking);
+      plain.template reflection<lanes::Bounded<Warp>>(warp + "_bounded" + name, masking);
+      plain.template dielectric<Warp>(warp + name, masking);
+    });
+    plain.evaluations(name, masking);
+    plain.bounded_evaluation(name, masking);
+  };
+  options("", lanes::kHeightCorrelated);
+  options("_separable", lanes::kSeparable);
+  auto normals = [](auto functions) {
+    for_each_warp([&](auto w, const std::string& warp) { functions.template normals<decltype(w)>(warp); });
+    functions.pdf_of_normals();
+  };
+  auto ellipsoid = [&](auto functions, auto masking) {
+    for_each_warp([&](auto w, const std::string& warp) {
+      functions.template reflection<decltype(w)>(warp, masking);
+      functions.template dielectric<decltype(w)>(warp, masking);
+    });
+    functions.evaluations("", masking);
+    normals(functions);
+  };
+  normals(plain);
+  ellipsoid(LaneCalls<F, Turned>(calls, "_turned"), lanes::kSeparable);
+  ellipsoid(LaneCalls<F, Tilted>(calls, "_tilted"), lanes::kLunes);
+  return calls;
 }
-TEST(Ellipsoids, ManyBatches) {
-  EllipsoidLanes<lanes::Many<xsimd::batch<float>, 2>>().expect_bits();
+
+TEST(Lanes, HaveTheBitsOfTheBatchFunctions) {
+  constexpr std::size_t kCount = 3 << 12;
+  Calls calls = lane_calls<VNDF_LANES>();
+  for (const Operation& batch : operations()) {
+    bool made_of_columns = batch.takes(Kind::alpha) || !batch.takes(Kind::view);
+    ASSERT_EQ(calls.count(batch.name), made_of_columns) << batch.name << " has no lane function here";
+    if (!made_of_columns) continue;
+    Operation lane = batch;
+    lane.call = calls[batch.name];
+    Table in = mixed_inputs(batch, kCount, 1);
+    EXPECT_TRUE(same_bits(batch, evaluate(batch, in), evaluate(lane, in), in));
+  }
 }
 
 }  // namespace
