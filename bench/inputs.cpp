@@ -7,48 +7,14 @@
 #include <stdexcept>
 #include <vector>
 
+#include "reference/random.h"
+#include "reference/vec.h"
+
 namespace bench {
 namespace {
 
-/// SplitMix64 (Steele, Lea and Flood 2014).
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
-
-  std::uint64_t bits() {
-    std::uint64_t z = state_ += 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-  }
-  /// A multiple of 2^-24 in [0, 1).
-  float u() { return static_cast<float>(bits() >> 40) * 0x1p-24f; }
-
- private:
-  std::uint64_t state_;
-};
-
-struct Vec3 {
-  double x, y, z;
-};
-Vec3 operator+(Vec3 a, Vec3 b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-Vec3 operator-(Vec3 a, Vec3 b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-Vec3 operator*(double s, Vec3 a) {
-  return {s * a.x, s * a.y, s * a.z};
-}
-double dot(Vec3 a, Vec3 b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-Vec3 cross(Vec3 a, Vec3 b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-Vec3 normalize(Vec3 a) {
-  return (1 / std::sqrt(dot(a, a))) * a;
-}
+using Vec3 = vndf::reference::Vec3<double>;
+using vndf::reference::Random;
 
 struct Sphere {
   Vec3 center;
@@ -70,9 +36,9 @@ std::vector<Sphere> make_field() {
   std::vector<Sphere> field;
   for (int row = 0; row < kFieldSide; ++row)
     for (int column = 0; column < kFieldSide; ++column) {
-      double radius = 0.25 + 0.45 * random.u();
-      double x = 2.0 * (column - 0.5 * (kFieldSide - 1)) + 0.6 * (random.u() - 0.5);
-      double y = 2.0 * row + 0.6 * (random.u() - 0.5);
+      double radius = 0.25 + 0.45 * random.unit();
+      double x = 2.0 * (column - 0.5 * (kFieldSide - 1)) + 0.6 * (random.unit() - 0.5);
+      double y = 2.0 * row + 0.6 * (random.unit() - 0.5);
       field.push_back({{x, y, radius}, radius});
     }
   return field;
@@ -122,8 +88,8 @@ constexpr double kPi = 3.141592653589793;
 
 /// A direction uniform over the upper hemisphere.
 void fill_direction(float* const columns[3], std::size_t i, Random& random) {
-  double z = random.u();
-  double phi = 2 * kPi * random.u();
+  double z = random.unit();
+  double phi = 2 * kPi * random.unit();
   double radius = std::sqrt(1 - z * z);
   columns[0][i] = static_cast<float>(radius * std::cos(phi));
   columns[1][i] = static_cast<float>(radius * std::sin(phi));
@@ -134,9 +100,9 @@ void fill_direction(float* const columns[3], std::size_t i, Random& random) {
 void fill_rest(const Batch& batch, std::uint64_t seed) {
   Random random(seed), besides(seed + 100);
   for (std::size_t i = 0; i < batch.count; ++i) {
-    for (int c : {5, 6}) batch.in[c][i] = random.u();
-    batch.in[7][i] = besides.u();
-    for (int c : {8, 9, 10}) batch.in[c][i] = static_cast<float>(kPi * (2 * besides.u() - 1));
+    for (int c : {5, 6}) batch.in[c][i] = random.unit();
+    batch.in[7][i] = besides.unit();
+    for (int c : {8, 9, 10}) batch.in[c][i] = static_cast<float>(kPi * (2 * besides.unit() - 1));
     fill_direction(&batch.in[11], i, besides);
   }
 }
@@ -163,8 +129,8 @@ Batch make_columns(std::size_t count, Offset offset) {
 void fill_camera(const Batch& batch) {
   const std::vector<Sphere> field = make_field();
   const Vec3 eye{0.7, -3.0, 1.7};
-  const Vec3 forward = normalize(Vec3{0, 6, -0.8} - eye);
-  const Vec3 right = normalize(cross(forward, {0, 0, 1}));
+  const Vec3 forward = unit(Vec3{0, 6, -0.8} - eye);
+  const Vec3 right = unit(cross(forward, {0, 0, 1}));
   const Vec3 up = cross(right, forward);
   constexpr double kHalfWidth = 0.7;      // tangent of half the field of view
   constexpr double kSkyFraction = 0.303;  // of the picture, so that one frame just about fills the batch
@@ -178,10 +144,10 @@ void fill_camera(const Batch& batch) {
       for (std::size_t column = 0; column < side && i < batch.count; ++column) {
         double x = kHalfWidth * (2 * (static_cast<double>(column) + 0.5) / static_cast<double>(side) - 1);
         double y = kHalfWidth * (1 - 2 * (static_cast<double>(row) + 0.5) / static_cast<double>(side));
-        Vec3 direction = normalize(forward + x * right + y * up);
+        Vec3 direction = unit(forward + x * right + y * up);
         Hit hit = intersect(field, eye + (0.01 * frame) * right, direction);
         if (!std::isfinite(hit.distance)) continue;
-        Vec3 wo = -1 * direction;
+        Vec3 wo = -1. * direction;
         double alpha_x = roughness_texture(hit.s, hit.t);
         double alpha_y = std::clamp(alpha_x * hit.brushed, 0.001, 1.0);
         batch.in[0][i] = static_cast<float>(dot(wo, hit.tangent));
@@ -198,8 +164,8 @@ void fill_uniform(const Batch& batch) {
   Random random(3);
   for (std::size_t i = 0; i < batch.count; ++i) {
     fill_direction(&batch.in[0], i, random);
-    batch.in[3][i] = static_cast<float>(std::pow(0.01, random.u()));
-    batch.in[4][i] = static_cast<float>(std::pow(0.01, random.u()));
+    batch.in[3][i] = static_cast<float>(std::pow(0.01, random.unit()));
+    batch.in[4][i] = static_cast<float>(std::pow(0.01, random.unit()));
   }
   fill_rest(batch, 4);
 }

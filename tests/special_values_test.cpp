@@ -1,144 +1,195 @@
-// What the header says of values at the edge of the domain and beyond it.
-#include <cmath>
+// What holds at the edges of the domain and beyond them, for all functions, on every set. What one function has for
+// literal inputs is in edges/.
+#include <algorithm>
 #include <limits>
 
-#include "reference/errors.h"
-#include "support/bits.h"
+#include "support/edges.h"
+#include "support/every_operation.h"
 
 namespace vndf::testing {
 namespace {
 
-using reference::kEps;
+constexpr float kLargestPdf = 0x1p60f;
 
-struct Normal {
-  float x, y, z;
-};
-
-class SpecialValues : public ::testing::TestWithParam<std::tuple<Warp, std::string>> {
+class SpecialValues : public EveryOperation {
  protected:
   void SetUp() override {
-    if (set_isa(std::get<1>(GetParam()).c_str()) == IsaError::unsupported) GTEST_SKIP();
+    if (!operation().in_domain) GTEST_SKIP() << "a surface beyond what is promised";
   }
-  static Warp warp() { return std::get<0>(GetParam()); }
-
-  static Normal sample(const float (&wo)[3], const float (&alpha)[2], const float (&u)[2]) {
-    Normal wm;
-    sample_normals(warp(), 1, {wo[0], wo[1], wo[2]}, {alpha[0], alpha[1]}, {u[0], u[1]}, {&wm.x, &wm.y, &wm.z});
-    return wm;
+  void expect_sound_on_every_isa(const Table& in, Roughness roughness = Roughness::promised) const {
+    on_every_isa([&] { expect_sound(operation(), in, columns(in), roughness); });
   }
-  static void expect_unit_and_upper(const Normal& wm) {
-    double length = std::sqrt(double(wm.x) * wm.x + double(wm.y) * wm.y + double(wm.z) * wm.z);
-    EXPECT_NEAR(length, 1, 5 * kEps);
-    EXPECT_GE(wm.z, 0);
+  void set(Table& in, Kind kind, float value) const {
+    for (std::size_t c = 0; c < in.size(); ++c)
+      if (operation().inputs[c].kind == kind) in[c].assign(in[c].size(), value);
   }
-  static void expect_near(const Normal& a, const Normal& b) {
-    EXPECT_NEAR(a.x, b.x, 40 * kEps);
-    EXPECT_NEAR(a.y, b.y, 40 * kEps);
-    EXPECT_NEAR(a.z, b.z, 40 * kEps);
+  void expect(const Table& in, const Table& out, const char* column, float value) const {
+    std::size_t c = operation().output(column);
+    for (std::size_t i = 0; c < out.size() && i < out[c].size(); ++i)
+      ASSERT_EQ(out[c][i], value) << operation().name << ": " << column << " for " << describe(operation(), in, i);
   }
-  /// Random numbers, the ends of [0, 1] among them.
-  template <class F>
-  static void for_each_u(F f) {
-    const float values[] = {0.f, 0x1p-24f, 0.125f, 0.3f, 0.5f, 0.77f, 1 - 0x1p-24f, 1.f};
-    for (float u1 : values)
-      for (float u2 : values) f({u1, u2});
-  }
-
- private:
-  KeepIsa keep_;
 };
-std::string warp_and_isa(const ::testing::TestParamInfo<SpecialValues::ParamType>& info) {
-  static const char* const names[] = {"polar", "concentric", "spherical_cap"};
-  return std::string(names[int(std::get<0>(info.param))]) + "_" + std::get<1>(info.param);
-}
-INSTANTIATE_TEST_SUITE_P(, SpecialValues,
-                         ::testing::Combine(::testing::Values(Warp::polar, Warp::concentric, Warp::spherical_cap),
-                                            ::testing::ValuesIn(isa_names())),
-                         warp_and_isa);
+VNDF_FOR_EVERY_OPERATION(SpecialValues);
 
-TEST_P(SpecialValues, NoNaNForAnyAlphaAndLength) {
-  const float lengths[] = {0, 1e-42f, 1e-20f, 1, 1e17f};
-  const float directions[][3] = {{0, 0, 1},           {0, 0, -1},         {1, 0.1f, 0},   {-0.3f, 0.5f, 0.8f},
-                                 {0.3f, 0.5f, -0.8f}, {1, 0.1f, -1e-10f}, {0, 1e-20f, 1}, {1e-42f, 0, -1}};
-  const float alphas[] = {0, 1e-45f, 1e-30f, 1e-10f, 0.3f, 100, 1e4f, 1e10f, 1e20f};
-  for (const auto& wo : directions)
-    for (float length : lengths)
-      for (float alpha_x : alphas)
-        for (float alpha_y : alphas)
-          for_each_u([&](const float(&u)[2]) {
-            Normal wm = sample({length * wo[0], length * wo[1], length * wo[2]}, {alpha_x, alpha_y}, u);
-            ASSERT_FALSE(std::isnan(wm.x) || std::isnan(wm.y) || std::isnan(wm.z));
-            if (alpha_x <= 1e4f && alpha_y <= 1e4f) expect_unit_and_upper(wm);
-          });
+TEST_P(SpecialValues, GridOfGoodInputs) {
+  Table in = grid_inputs(operation());
+  expect_sound(operation(), in, columns(in), Roughness::promised);
 }
 
-TEST_P(SpecialValues, BothEndsOfTheRandomNumbers) {
-  const float views[][3] = {{0, 0, 1},        {0.6f, 0, 0.8f},  {0.8f, 0.6f, 0},  {0.8f, 0.6f, -0.f}, {0, 1, 1e-6f},
-                            {0.6f, 0, -0.8f}, {0, 1e-4f, -1.f}, {1e-12f, 0, 1.f}, {0, 1e-10f, 1.f}};
-  const float alphas[][2] = {{0.5f, 0.5f}, {1e-4f, 1e-4f}, {1e-6f, 1.f}, {1.f, 0.05f}, {100.f, 100.f}};
-  for (const auto& wo : views)
-    for (const auto& alpha : alphas)
-      for_each_u([&](const float(&u)[2]) {
-        expect_unit_and_upper(sample(wo, alpha, u));
-        if (HasFailure())
-          FAIL() << wo[0] << " " << wo[1] << " " << wo[2] << " alpha " << alpha[0] << " " << alpha[1] << " u " << u[0]
-                 << " " << u[1];
+TEST_P(SpecialValues, EdgesOfTheDomain) {
+  for (std::uint64_t seed = 0; seed < 4; ++seed)
+    expect_sound_on_every_isa(edge_inputs(operation(), Roughness::promised, 1 << 15, seed));
+}
+
+TEST_P(SpecialValues, HardCases) {
+  expect_sound_on_every_isa(good_inputs(operation(), 1 << 17, 1));
+}
+
+// alpha = 0 and what is next to it: densities stay finite, and so does what multiple importance sampling makes of them.
+TEST_P(SpecialValues, AlphaZeroAndNextToIt) {
+  if (operation().takes(Kind::normal)) return;
+  expect_sound_on_every_isa(edge_inputs(operation(), Roughness::tiny, 1 << 16, 5), Roughness::tiny);
+}
+
+// One surface for the batch. Leaning by the float next to a right angle, one of small alpha is a disk seen from its
+// edge.
+TEST_P(SpecialValues, SurfacesOfConstants) {
+  constexpr float kRight = 1.5707964f, x = 1e-6f;
+  std::vector<std::array<float, 5>> surfaces = {{x, x, 0, kRight, 0},
+                                                {1e-5f, 1e-5f, 0, kRight, 0},
+                                                {3e-6f, 3e-6f, 0, -kRight, 0.82f},
+                                                {x, 67.8f, -0.42f, kRight, 0.82f},
+                                                {x, 1e-5f, -0.42f, kRight, 0.82f},
+                                                {1e-5f, x, 1.2f, kRight, -2},
+                                                {x, x, kRight, 0, 0},
+                                                {67.8f, x, kRight, 0.3f, 0},
+                                                {x, x, kRight, kRight, 0.3f},
+                                                {x, 100, 0, kRight, 0},
+                                                {100, x, 0, kRight, 0},
+                                                {0.5f, x, 0.7f, kRight, 1}};
+  reference::Random random(2);
+  const float corners[] = {x, 1e-5f, 1e-3f, 1, 100}, angles[] = {0, 0.3f, kRight, -kRight, 3.1f, -2};
+  for (int row = 0; row < 40; ++row) {
+    auto corner = [&] { return corners[random.below(std::size(corners))]; };
+    auto angle = [&] { return angles[random.below(std::size(angles))]; };
+    surfaces.push_back({corner(), corner(), angle(), angle(), angle()});
+  }
+  Table in = edge_inputs(operation(), Roughness::promised, 1 << 12, 6);
+  if (!operation().takes(Kind::alpha)) return;
+  for (const auto& surface : surfaces) {
+    std::vector<Column> constant = columns(in);
+    const char* const names[] = {"alpha.x", "alpha.y", "theta.x", "theta.y", "theta.z"};
+    for (std::size_t k = 0; k < 5; ++k)
+      if (std::size_t c = operation().input(names[k]); c < in.size()) {
+        in[c].assign(in[c].size(), surface[k]);
+        constant[c] = surface[k];
+      }
+    on_every_isa([&] {
+      expect_sound(operation(), in, constant, Roughness::promised);
+      expect_sound(operation(), in, columns(in), Roughness::promised);
+    });
+  }
+}
+
+// Where cosines are next to 1: near-normal views, and the middle of each warp, whose normals are close to the view.
+TEST_P(SpecialValues, CosinesAreAtMostOne) {
+  if (operation().output("wi.x") == operation().outputs.size()) return;
+  Table in = good_inputs(operation(), 1 << 18, 7);
+  for (std::size_t i = 0; i < in[0].size(); ++i) {
+    reference::Random random(8, i);
+    double s = random.below(3) ? random.log_uniform(1e-8, 1e-2) : 0, phi = random.uniform(0, 6.2831853);
+    const float wo[] = {float(s * std::cos(phi)), float(s * std::sin(phi)), float(std::sqrt(1 - s * s))};
+    const float small = float(random.log_uniform(1e-9, 1e-3));
+    const bool isotropic = random.below(2);
+    float alpha = 0;
+    for (std::size_t c = 0; c < in.size(); ++c) {
+      const Input& input = operation().inputs[c];
+      float& value = in[c][i];
+      if (input.kind == Kind::view) value = wo[input.index];
+      if (input.kind == Kind::alpha)
+        value = alpha = isotropic && input.index ? alpha : float(random.log_uniform(1e-3, 1));
+      if (input.kind == Kind::u) value = input.index < 2 && random.below(2) ? small : random.unit();
+      if (input.kind == Kind::eta) value = std::array{1.5f, 1.01f, 0.99f, 0.5f}[random.below(4)];
+    }
+  }
+  expect_sound_on_every_isa(in);
+}
+
+// What a padded queue holds: no view, no light and no normal, alone or with everything else 0 too, eta among it.
+TEST_P(SpecialValues, ZerosHaveNoDensityAndNoWeight) {
+  const std::vector<Kind> directions = {Kind::view, Kind::light, Kind::normal},
+                          all = {Kind::view, Kind::light, Kind::normal, Kind::alpha, Kind::theta, Kind::u, Kind::eta};
+  for (const auto& kinds : {std::vector<Kind>{Kind::view}, {Kind::light}, {Kind::normal}, directions, all})
+    for (float zero : {0.f, -0.f}) {
+      if (!operation().takes(kinds[0])) continue;
+      Table in = good_inputs(operation(), 200, 1);
+      for (Kind kind : kinds) set(in, kind, zero);
+      if (kinds != all || !operation().takes(Kind::eta)) expect_sound_on_every_isa(in);
+      on_every_isa([&] {
+        Table out = evaluate(operation(), in);
+        for (const char* column : {"pdf", "weight", "f_cos"}) expect(in, out, column, 0);
       });
+    }
 }
 
-TEST_P(SpecialValues, NoVisibleNormal) {
-  for_each_u([](const float(&u)[2]) { expect_unit_and_upper(sample({0, 0, -1}, {0.3f, 0.7f}, u)); });
+// The normal of a reflection is that of sample_normals to the bit, for every view and alpha.
+TEST_P(SpecialValues, NormalsAreThoseOfSampleNormals) {
+  const Operation* normals = normals_of(operation());
+  if (!normals) return;
+  for (const Table& in :
+       {good_inputs(operation(), 1 << 18, 3), edge_inputs(operation(), Roughness::promised, 1 << 15, 9),
+        mixed_inputs(operation(), 1 << 15, 4)})
+    on_every_isa([&] {
+      Table out = evaluate(operation(), in), wm;
+      for (const char* column : {"wm.x", "wm.y", "wm.z"}) wm.push_back(out[operation().output(column)]);
+      ASSERT_TRUE(same_bits(*normals, evaluate(*normals, in), wm, in));
+    });
 }
 
-TEST_P(SpecialValues, NoView) {
-  for (float zero : {0.f, -0.f})
-    for_each_u([&](const float(&u)[2]) { expect_unit_and_upper(sample({zero, zero, zero}, {0.3f, 0.7f}, u)); });
+// Within 2^-16 of 1 there is no surface: light goes straight on and counts whole, whatever the random numbers say. As a
+// delta it is not evaluated, neither close to straight on nor elsewhere.
+TEST_P(SpecialValues, MatchedIndices) {
+  if (!operation().takes(Kind::eta)) return;
+  Table in = edge_inputs(operation(), Roughness::promised, 1 << 13, 10);
+  if (operation().takes(Kind::light))
+    for (std::size_t i = 0; i < in[0].size(); i += 2) {
+      reference::Random random(3, i);
+      double scale = random.log_uniform(1e-8, 1);
+      for (std::size_t c = 0; c < 3; ++c) in[3 + c][i] = float(scale * random.uniform(-1, 1) - in[c][i]);
+    }
+  for (float eta : {1.f, 1 + 0x1p-20f, 1 - 0x1p-20f, 1 + 0x1p-17f, 1 - 0x1p-17f}) {
+    set(in, Kind::eta, eta);
+    expect_sound_on_every_isa(in);
+    on_every_isa([&] {
+      Table out = evaluate(operation(), in);
+      if (operation().takes(Kind::light)) {
+        for (const char* column : {"pdf", "f_cos"}) expect(in, out, column, 0);
+        return;
+      }
+      expect(in, out, "side", -1);
+      for (std::size_t i = 0; i < in[0].size(); ++i) {
+        for (std::size_t c = 0; c < 3; ++c)
+          ASSERT_EQ(out[operation().output("wi.x") + c][i], -in[c][i]) << describe(operation(), in, i);
+        if (in[2][i] == 0) continue;
+        ASSERT_EQ(out[operation().output("weight")][i], 1) << describe(operation(), in, i);
+        ASSERT_EQ(out[operation().output("pdf")][i], kLargestPdf) << describe(operation(), in, i);
+      }
+    });
+  }
 }
 
-TEST_P(SpecialValues, SignOfZeroCosineDoesNotMatter) {
-  for_each_u([](const float(&u)[2]) {
-    expect_near(sample({0.6f, 0.8f, 0.f}, {0.3f, 0.7f}, u), sample({0.6f, 0.8f, -0.f}, {0.3f, 0.7f}, u));
-  });
-}
-
-TEST_P(SpecialValues, Mirror) {
-  for_each_u([](const float(&u)[2]) {
-    Normal wm = sample({0.6f, 0, 0.8f}, {0, 0}, u);
-    if (u[0] < 1 && u[1] < 1) expect_near(wm, {0, 0, 1});
-    expect_unit_and_upper(wm);
-  });
-}
-
-TEST_P(SpecialValues, NegativeAlphaMirrorsItsAxis) {
-  for_each_u([](const float(&u)[2]) {
-    // The view in the hemisphere configuration is mirrored with it, so the reference is the mirrored view's normal.
-    Normal wm = sample({0.5f, 0.3f, 0.8f}, {-0.4f, 0.7f}, u);
-    Normal mirrored = sample({-0.5f, 0.3f, 0.8f}, {0.4f, 0.7f}, u);
-    expect_near(wm, {-mirrored.x, mirrored.y, mirrored.z});
-  });
-}
-
-TEST_P(SpecialValues, TheExtremesOfAlphaAndLength) {
-  for (float alpha : {1e-30f, 1e-20f, 1e-10f, 1e-3f, 1.f, 100.f})
-    for (float length : {1e-30f, 1e-20f, 1.f, 1e20f, 1e30f})
-      for (float z : {0.8f, 0.f})
-        for_each_u([&](const float(&u)[2]) {
-          if (z == 0.f && alpha < 1e-9f) return;  // a mirror seen edge-on
-          expect_unit_and_upper(sample({0.6f * length, 0, z * length}, {alpha, alpha}, u));
-          if (HasFailure())
-            FAIL() << "alpha " << alpha << " length " << length << " z " << z << " u " << u[0] << " " << u[1];
-        });
-}
-
-// The azimuth of a vanishing tilt is that of the tilt; of none, +x.
-TEST_P(SpecialValues, AzimuthOfNormalViews) {
-  for_each_u([](const float(&u)[2]) {
-    const float tilt = warp() == Warp::spherical_cap ? 1e-15f : 1e-25f;
-    Normal exact = sample({0, 0, 1}, {0.5f, 0.5f}, u);
-    expect_near(sample({tilt, 0, 1}, {0.5f, 0.5f}, u), exact);
-    Normal along_y = sample({0, tilt, 1}, {0.5f, 0.5f}, u);
-    expect_near(along_y, {-exact.y, exact.x, exact.z});
-  });
+// No index of refraction: no light.
+TEST_P(SpecialValues, IndicesThatAreNone) {
+  if (!operation().takes(Kind::eta)) return;
+  constexpr float kInf = std::numeric_limits<float>::infinity(), kNan = std::numeric_limits<float>::quiet_NaN();
+  Table in = edge_inputs(operation(), Roughness::promised, 1 << 13, 11);
+  for (float eta : {0.f, -0.f, -1e-30f, -0.5f, -1.f, -1.5f, -1e30f, kNan, kInf, -kInf}) {
+    set(in, Kind::eta, eta);
+    on_every_isa([&] {
+      Table out = evaluate(operation(), in);
+      for (const char* column : {"pdf", "weight", "f_cos"}) expect(in, out, column, 0);
+    });
+  }
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ constexpr std::uint64_t kSeed = 2015;
 reference::OracleNormals exact_normals(Warp warp, const Inputs& in, const Angles& theta) {
   reference::OracleNormals normals;
   for (std::size_t i = 0; i < in.size(); ++i) {
-    V3<double> m = exact_normal(warp, in, theta, i);
+    Vec3<double> m = exact_normal(warp, in, theta, i);
     normals.x.push_back(m.x);
     normals.y.push_back(m.y);
     normals.z.push_back(m.z);
@@ -71,7 +71,7 @@ struct Setting {
   Parameters parameters;
   double degrees, phi;  // of the view, from the normal and from x
 
-  V3<double> view() const {
+  Vec3<double> view() const {
     double theta = degrees * kPi<double> / 180, azimuth = phi * kPi<double> / 180;
     return {std::sin(theta) * std::cos(azimuth), std::sin(theta) * std::sin(azimuth), std::cos(theta)};
   }
@@ -105,7 +105,7 @@ const std::vector<Setting> kRejecting = {
 Json measure_rejection(const Setting& setting, std::size_t kept) {
   reference::Random random(kSeed);
   auto rejected = [&](const auto& version) {
-    return sample_by_rejection(version, random, double(kept), [](const V3<double>&) {}).rejected();
+    return sample_by_rejection(version, random, double(kept), [](const Vec3<double>&) {}).rejected();
   };
   double first = rejected(Version1(setting.parameters, setting.view()));
   double second = rejected(Version2(setting.parameters, setting.view()));
@@ -135,7 +135,7 @@ Json measure_density(const Setting& setting, int size) {
       m.y.push_back(float(y));
       m.z.push_back(float(std::sqrt(z2)));
     }
-  V3<double> wo = setting.view();
+  Vec3<double> wo = setting.view();
   std::vector<float> pdf(cells.size());
   pdf_normals(pdf.size(), {float(wo.x), float(wo.y), float(wo.z)}, m.in(), setting.parameters.ellipsoid(), pdf.data());
   Json line = setting.json();

@@ -37,13 +37,9 @@ TEST(Angle, Accuracy) {
   EXPECT_EQ(zero.sin, 0);
 }
 
-double distance(const V3<double>& a, const V3<double>& b) {
-  auto d = a + -1. * b;
-  return std::sqrt(dot(d, d));
-}
 /// How far the normal moves when each of view, alpha and theta moves by half a unit of its last place.
 double conditioning(Warp warp, const Inputs& in, const Angles& theta, std::size_t i) {
-  V3<float> wo{in.wo_x[i], in.wo_y[i], in.wo_z[i]};
+  Vec3<float> wo{in.wo_x[i], in.wo_y[i], in.wo_z[i]};
   Parameters p = parameters(in, theta, i);
   const float u[2] = {in.u_x[i], in.u_y[i]};
   auto at = exact_normal(warp, wo, p, u);
@@ -93,8 +89,8 @@ TEST_P(Accuracy, Normals) {
   for (std::size_t i = 0; i < kCount; ++i) {
     double error = errors[i] = reference::or_infinite(distance(wm.at(i), exact_normal(warp, in, theta, i)) / kEps);
     auto a = matrix<double>(parameters(in, theta, i));
-    V3<double> psi{in.wo_x[i], in.wo_y[i], in.wo_z[i]};
-    if (dot(direction(a * psi), direction(a.c3)) < -0.999) keep_larger(opposite, error);
+    Vec3<double> psi{in.wo_x[i], in.wo_y[i], in.wo_z[i]};
+    if (dot(unit(a * psi), unit(a.c3)) < -0.999) keep_larger(opposite, error);
     if (error <= 10) continue;
     double moved = conditioning(warp, in, theta, i) / kEps;
     keep_larger(over_conditioning, error / (1 + moved));
@@ -139,19 +135,20 @@ TEST(Densities, Accuracy) {
         double bound, worst;
       } rows[] = {{"pdf of normals", 1, 0}, {"evaluated pdf", 1, 0}, {"f cos", 1, 0}, {"weight", 0.5, 0}};
       for (std::size_t i = 0; i < kCount; ++i) {
-        V3<R> wo{in.wo_x[i], in.wo_y[i], in.wo_z[i]}, wm = s.wm.at<R>(i), wi = s.wi.at<R>(i);
+        Vec3<R> wo{in.wo_x[i], in.wo_y[i], in.wo_z[i]}, wm = s.wm.at<R>(i), wi = s.wi.at<R>(i);
         if (std::fabs(dot(wo, wo) - 1) > 1e-6L) continue;
         auto a = matrix<R>(parameters(in, theta, i));
         auto [smaller, larger] = std::minmax(in.alpha_x[i], in.alpha_y[i]);
-        R unit = std::fmax(R(25), larger <= 1 ? 4 + 2 / R(smaller) : 12 + 6 * R(larger) / std::fmin(R(1), R(smaller))) *
-                 R(kEps);
-        auto keep = [&](int k, R error) { keep_larger(rows[k].worst, double(std::fabs(error) / unit)); };
+        R scale =
+            std::fmax(R(25), larger <= 1 ? 4 + 2 / R(smaller) : 12 + 6 * R(larger) / std::fmin(R(1), R(smaller))) *
+            R(kEps);
+        auto keep = [&](int k, R error) { keep_larger(rows[k].worst, double(std::fabs(error) / scale)); };
         // The library's density is homogeneous in wm but for the cosine.
         R length = std::sqrt(dot(wm, wm)), cos = dot(wo, wm);
         if (!(cos <= 1e-6L)) keep(0, (pdf[i] / (normal_pdf(wo, (1 / length) * wm, a) * length) - 1) * cos);
         if (s.pdf[i] <= 0) continue;
-        V3<R> h = direction(wo + wi);
-        R exact = ndf(h, a) * ellipsoid_area(V3<R>{0, 0, 1}, a) / (4 * lune_area(wo, a));
+        Vec3<R> h = unit(wo + wi);
+        R exact = ndf(h, a) * ellipsoid_area(Vec3<R>{0, 0, 1}, a) / (4 * lune_area(wo, a));
         R f = ndf(h, a) * g1(wo, a) * g1(wi, a) / (4 * wo.z);
         keep(1, value.pdf[i] / exact - 1);
         keep(2, value.f_cos[i] / f - 1);
@@ -243,7 +240,7 @@ TEST(Identity, TurnedFrame) {
       M3<double> turn = rotation<double>(0, 0, theta);
       Directions turned_wo(kCount), plain(kCount), other(kCount);
       for (std::size_t i = 0; i < kCount; ++i)
-        turned_wo.set(i, turn * V3<double>{in.in.wo_x[i], in.in.wo_y[i], in.in.wo_z[i]});
+        turned_wo.set(i, turn * Vec3<double>{in.in.wo_x[i], in.in.wo_y[i], in.in.wo_z[i]});
       sample_normals(warp, kCount, turned_wo.in(), alpha, in.u(), plain.out());
       std::vector<float> column(kCount, theta);
       for (const Ellipsoid& ellipsoid : {Ellipsoid(alpha, 0.f, 0.f, theta), Ellipsoid(alpha, 0.f, 0.f, column.data()),

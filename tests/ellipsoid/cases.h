@@ -92,15 +92,15 @@ inline Parameters parameters(const reference::Inputs& in, const Angles& theta, s
 }
 
 /// Walter's plain equations in quadruple precision.
-inline V3<double> exact_normal(Warp warp, const V3<float>& wo, const Parameters& p, const float (&u)[2]) {
-  V3<Quad> psi{wo.x, wo.y, wo.z};
+inline Vec3<double> exact_normal(Warp warp, const Vec3<float>& wo, const Parameters& p, const float (&u)[2]) {
+  Vec3<Quad> psi{wo.x, wo.y, wo.z};
   Quad u1 = u[0], u2 = u[1];
   M3<Quad> a = matrix<Quad>(p);
-  V3<Quad> m =
+  Vec3<Quad> m =
       warp == Warp::spherical_cap ? sample_cap(psi, a, u1, u2) : sample_version_3(psi, a, disk_point(warp, u1, u2));
   return {double(m.x), double(m.y), double(m.z)};
 }
-inline V3<double> exact_normal(Warp warp, const reference::Inputs& in, const Angles& theta, std::size_t i) {
+inline Vec3<double> exact_normal(Warp warp, const reference::Inputs& in, const Angles& theta, std::size_t i) {
   return exact_normal(warp, {in.wo_x[i], in.wo_y[i], in.wo_z[i]}, parameters(in, theta, i), {in.u_x[i], in.u_y[i]});
 }
 

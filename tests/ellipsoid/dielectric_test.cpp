@@ -38,17 +38,17 @@ constexpr View kViews[] = {{0.f, 0.f, 1.f},
 
 /// Eq. 7's sgn(v.n) v.
 template <class T>
-V3<T> turned(const V3<T>& v) {
+Vec3<T> turned(const Vec3<T>& v) {
   return v.z < 0 ? T(-1) * v : v;
 }
 
 /// View i and light o as the papers have them: neither is mirrored, and each product has the sign that it has.
 struct Pair {
-  V3<R> i, o, h;  // h is unit, of the upper hemisphere
+  Vec3<R> i, o, h;  // h is unit, of the upper hemisphere
   R eta, n_i, n_o, length;
   bool refracts, possible;
 
-  Pair(const V3<R>& wo, const V3<R>& wi, R eta_) : i(wo), o(wi), eta(eta_) {
+  Pair(const Vec3<R>& wo, const Vec3<R>& wi, R eta_) : i(wo), o(wi), eta(eta_) {
     n_i = i.z < 0 ? eta : 1;
     n_o = o.z < 0 ? eta : 1;
     refracts = (i.z < 0) != (o.z < 0);
@@ -101,7 +101,7 @@ struct Views {
       Random random(seed, i);
       double z = random.below(2) ? random.uniform(least_cos, 1) : random.uniform(-1, -least_cos);
       double phi = random.uniform(0, 2 * kPi<double>), s = std::sqrt(1 - z * z);
-      wo.set(i, V3<double>{s * std::cos(phi), s * std::sin(phi), z});
+      wo.set(i, Vec3<double>{s * std::cos(phi), s * std::sin(phi), z});
     }
   }
 };
@@ -296,19 +296,19 @@ TEST(Dielectric, MaskingOfTurnedDirections) {
   Numbers u(kCount, 12);
   double worst = 0;
   std::size_t across = 0, tell_apart = 0;
-  auto mirrored = [](const V3<double>& v) { return -1. * v; };
+  auto mirrored = [](const Vec3<double>& v) { return -1. * v; };
   for (const Parameters& p : kShapes) {
     Samples sample(kCount);
     Values value(kCount), other(kCount), upper(kCount), reflected(kCount);
     Directions wo_2(kCount), wi_2(kCount), wo_up(kCount), wi_up(kCount), wi_flat(kCount);
     sample_dielectric(Warp::polar, kCount, wo.in(), p.ellipsoid(), 2.f, u.in(), sample.dielectric());
     for (std::size_t i = 0; i < kCount; ++i) {
-      V3<double> wi = sample.wi.at(i);
+      Vec3<double> wi = sample.wi.at(i);
       wo_2.set(i, mirrored(wo.at(i)));
       wi_2.set(i, mirrored(wi));
       wo_up.set(i, turned(wo.at(i)));
       wi_up.set(i, turned(wi));
-      wi_flat.set(i, V3<double>{wi.x, wi.y, std::fabs(wi.z)});
+      wi_flat.set(i, Vec3<double>{wi.x, wi.y, std::fabs(wi.z)});
     }
     evaluate_dielectric(kCount, wo.in(), sample.wi.in(), p.ellipsoid(), 2.f, value.out());
     evaluate_dielectric(kCount, wo_2.in(), wi_2.in(), p.ellipsoid(), 0.5f, other.out());

@@ -19,15 +19,15 @@ constexpr Parameters kShapes[] = {
 };
 constexpr int kShapeCount = int(sizeof kShapes / sizeof *kShapes);
 
-V3<D> view(double cos, double phi) {
+Vec3<D> view(double cos, double phi) {
   double sin = std::sqrt(1 - cos * cos);
-  V3<D> v{sin * std::cos(phi), sin * std::sin(phi), cos};
+  Vec3<D> v{sin * std::cos(phi), sin * std::sin(phi), cos};
   return {float(v.x), float(v.y), float(v.z)};
 }
-const V3<D> kViews[] = {{0, 0, 1}, view(0.7, 0.4), view(0.25, 2.5), view(0.02, -1.9), view(-0.3, 1)};
+const Vec3<D> kViews[] = {{0, 0, 1}, view(0.7, 0.4), view(0.25, 2.5), view(0.02, -1.9), view(-0.3, 1)};
 constexpr int kViewCount = int(sizeof kViews / sizeof *kViews);
 
-Columns3 constant(const V3<D>& v) {
+Columns3 constant(const Vec3<D>& v) {
   return {float(v.x), float(v.y), float(v.z)};
 }
 
@@ -46,25 +46,25 @@ struct Grid {
     for (int i = 0; i < rings; ++i)
       for (int j = 0; j < sectors; ++j) {
         double theta = (i + 0.5) * d_theta, phi = (j + 0.5) * d_phi;
-        V3<D> ne = transposed_times(
-            b, V3<D>{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)});
+        Vec3<D> ne = transposed_times(
+            b, Vec3<D>{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)});
         double n = std::sqrt(dot(ne, ne));
         auto at = std::size_t(i) * std::size_t(sectors) + std::size_t(j);
-        m.set(at, direction(ne));
+        m.set(at, unit(ne));
         solid_angle[at] = std::fabs(determinant(b)) / (n * n * n) * std::sin(theta) * d_theta * d_phi;
         bin[at] = std::size_t(i / fine * kSectors + j / fine);
       }
   }
 };
 
-std::size_t bin_of(const V3<D>& m, const M3<D>& b) {
+std::size_t bin_of(const Vec3<D>& m, const M3<D>& b) {
   return bin_of_normal(inverse_transposed_times(b, m), {1, 1});
 }
 
 class Every : public ::testing::TestWithParam<std::tuple<int, int>> {
  protected:
   const Parameters& parameters() const { return kShapes[std::get<0>(GetParam())]; }
-  const V3<D>& psi() const { return kViews[std::get<1>(GetParam())]; }
+  const Vec3<D>& psi() const { return kViews[std::get<1>(GetParam())]; }
 };
 INSTANTIATE_TEST_SUITE_P(, Every, ::testing::Combine(::testing::Range(0, kShapeCount), ::testing::Range(0, kViewCount)),
                          [](const auto& info) {
@@ -80,10 +80,10 @@ TEST_P(Every, Normalisation) {
   pdf_normals(pdf.size(), constant(psi()), grid.m.in(), parameters().ellipsoid(), pdf.data());
   double area = 0, visible = 0;
   for (std::size_t i = 0; i < pdf.size(); ++i) {
-    auto m = direction(grid.m.at(i));
+    auto m = unit(grid.m.at(i));
     area += ndf(m, a) * m.z * grid.solid_angle[i];
     visible += double(pdf[i]) * grid.solid_angle[i];
-    double exact = normal_pdf(direction(psi()), m, a);
+    double exact = normal_pdf(unit(psi()), m, a);
     if (dot(psi(), m) > 0.05) {
       ASSERT_NEAR(pdf[i] / exact, 1, 2e-5);
     }
@@ -122,9 +122,9 @@ TEST_P(Every, WalterVersions1And2) {
   constexpr double kWanted = 1 << 15;
   M3<D> a = matrix<D>(parameters());
   M3<D> b = upright(a);
-  V3<D> v = direction(psi());
+  Vec3<D> v = unit(psi());
   Random random(1);
-  auto counting = [&](std::vector<double>& counts) { return [&](const V3<D>& m) { ++counts[bin_of(m, b)]; }; };
+  auto counting = [&](std::vector<double>& counts) { return [&](const Vec3<D>& m) { ++counts[bin_of(m, b)]; }; };
   std::vector<double> first_counts(kRings * kSectors), second_counts(kRings * kSectors);
   Tries first = sample_by_rejection(Version1(parameters(), psi()), random, kWanted, counting(first_counts));
   Tries second = sample_by_rejection(Version2(parameters(), psi()), random, kWanted, counting(second_counts));
@@ -154,7 +154,7 @@ TEST_P(Every, Reflection) {
   if (psi().z < 0) return;
   constexpr std::size_t kCount = std::size_t(1) << 15;
   M3<D> a = matrix<D>(parameters());
-  V3<D> v = psi();
+  Vec3<D> v = psi();
   EXPECT_LE(lune_area(v, a) * g1(v, a), ellipsoid_area({0, 0, 1}, a) * v.z * (1 + 1e-12));
   for (int w = 0; w < 3; ++w) {
     Numbers u(kCount, 17 + std::uint64_t(w));
@@ -169,13 +169,13 @@ TEST_P(Every, Reflection) {
       ASSERT_GE(s.weight[i], 0);
       ASSERT_LE(s.weight[i], 1);
       energy += s.weight[i];
-      V3<D> wi = s.wi.at(i);
+      Vec3<D> wi = s.wi.at(i);
       if (!(wi.z > 0)) {
         ASSERT_EQ(s.pdf[i], 0);
         ASSERT_EQ(there.f_cos[i], 0);
         continue;
       }
-      V3<D> h = direction(v + wi);
+      Vec3<D> h = unit(v + wi);
       double pdf = ndf(h, a) * ellipsoid_area({0, 0, 1}, a) / (4 * lune_area(v, a));
       double f = ndf(h, a) * g1(v, a) * g1(wi, a) / (4 * v.z * wi.z);
       ASSERT_NEAR(there.pdf[i] / pdf, 1, 1e-4);

@@ -16,18 +16,13 @@ using reference::Quad;
 using reference::sin_cos;
 using reference::square_root;
 
-template <class R>
-V3<R> direction(const V3<R>& v) {
-  return (1 / square_root(dot(v, v))) * v;
-}
-
 /// A matrix by its columns.
 template <class R>
 struct M3 {
-  V3<R> c1, c2, c3;
+  Vec3<R> c1, c2, c3;
 };
 template <class R>
-V3<R> operator*(const M3<R>& m, const V3<R>& v) {
+Vec3<R> operator*(const M3<R>& m, const Vec3<R>& v) {
   return v.x * m.c1 + v.y * m.c2 + v.z * m.c3;
 }
 template <class R>
@@ -35,7 +30,7 @@ M3<R> operator*(const M3<R>& a, const M3<R>& b) {
   return {a * b.c1, a * b.c2, a * b.c3};
 }
 template <class R>
-V3<R> transposed_times(const M3<R>& m, const V3<R>& v) {
+Vec3<R> transposed_times(const M3<R>& m, const Vec3<R>& v) {
   return {dot(m.c1, v), dot(m.c2, v), dot(m.c3, v)};
 }
 template <class R>
@@ -44,7 +39,7 @@ R determinant(const M3<R>& m) {
 }
 /// A^-T v: its columns are the cross products of those of A, over |A|.
 template <class R>
-V3<R> inverse_transposed_times(const M3<R>& m, const V3<R>& v) {
+Vec3<R> inverse_transposed_times(const M3<R>& m, const Vec3<R>& v) {
   M3<R> cofactors{cross(m.c2, m.c3), cross(m.c3, m.c1), cross(m.c1, m.c2)};
   return (1 / determinant(m)) * (cofactors * v);
 }
@@ -77,36 +72,36 @@ M3<R> matrix(const Parameters& p) {
 
 /// Eq. 1.
 template <class R>
-R ndf(const V3<R>& m, const M3<R>& a) {
-  V3<R> k = inverse_transposed_times(a, m);
+R ndf(const Vec3<R>& m, const M3<R>& a) {
+  Vec3<R> k = inverse_transposed_times(a, m);
   R k2 = dot(k, k);
   return m.z >= 0 ? 1 / (kPi<R> * determinant(a) * square_root(dot(a.c3, a.c3)) * k2 * k2) : R(0);
 }
 /// Eq. 26 and 28 for C_e = 1.
 template <class R>
-R ellipsoid_area(const V3<R>& u, const M3<R>& a) {
-  V3<R> h = a * u;
+R ellipsoid_area(const Vec3<R>& u, const M3<R>& a) {
+  Vec3<R> h = a * u;
   return kPi<R> * square_root(dot(h, h)) / determinant(a);
 }
 template <class R>
-R lune_area(const V3<R>& u, const M3<R>& a) {
-  V3<R> h = a * u, n = a.c3;
+R lune_area(const Vec3<R>& u, const M3<R>& a) {
+  Vec3<R> h = a * u, n = a.c3;
   R lengths = square_root(dot(h, h)) * square_root(dot(n, n));
   return kPi<R> * (lengths + dot(h, n)) / (2 * determinant(a) * square_root(dot(n, n)));
 }
 /// Eq. 6.
 template <class R>
-R g1(const V3<R>& u, const M3<R>& a) {
-  V3<R> h = a * u, n = a.c3;
+R g1(const Vec3<R>& u, const M3<R>& a) {
+  Vec3<R> h = a * u, n = a.c3;
   R nn = dot(n, n);
   R g = 2 * nn * (u.z < 0 ? -u.z : u.z) / (square_root(dot(h, h)) * square_root(nn) + dot(h, n));
   return g < 1 ? g : R(1);
 }
 /// Eq. 33.
 template <class R>
-R normal_pdf(const V3<R>& psi, const V3<R>& m, const M3<R>& a) {
+R normal_pdf(const Vec3<R>& psi, const Vec3<R>& m, const M3<R>& a) {
   R cos = dot(psi, m);
-  return cos > 0 ? ellipsoid_area(V3<R>{0, 0, 1}, a) / lune_area(psi, a) * ndf(m, a) * cos : R(0);
+  return cos > 0 ? ellipsoid_area(Vec3<R>{0, 0, 1}, a) / lune_area(psi, a) * ndf(m, a) * cos : R(0);
 }
 
 /// A point of the unit disk in Heitz's frame: his eq. 9-10, or eq. 34-37.
@@ -134,23 +129,23 @@ Point<R> disk_point(Warp warp, R u1, R u2) {
 
 /// Version 3, eq. 38-46; Walter's (x_a, y_a) is Heitz's (t2, -t1).
 template <class R>
-V3<R> sample_version_3(const V3<R>& psi, const M3<R>& a, const Point<R>& t) {
-  V3<R> h = a * psi, n = a.c3;
-  V3<R> e3 = direction(h);
-  R s = (1 + dot(e3, direction(n))) / 2;
+Vec3<R> sample_version_3(const Vec3<R>& psi, const M3<R>& a, const Point<R>& t) {
+  Vec3<R> h = a * psi, n = a.c3;
+  Vec3<R> e3 = unit(h);
+  R s = (1 + dot(e3, unit(n))) / 2;
   R x_a = t.t2, y_a = -t.t1;
   auto root = [](R x) { return square_root(x > 0 ? x : R(0)); };
   R x_b = s * x_a + (1 - s) * root(1 - y_a * y_a);
   R z_b = root(1 - x_b * x_b - y_a * y_a);
-  V3<R> e2 = direction(cross(h, n));
-  V3<R> e1 = cross(e2, e3);
-  return direction(transposed_times(a, x_b * e1 + y_a * e2 + z_b * e3));
+  Vec3<R> e2 = unit(cross(h, n));
+  Vec3<R> e1 = cross(e2, e3);
+  return unit(transposed_times(a, x_b * e1 + y_a * e2 + z_b * e3));
 }
 
 /// Q A / |A n|: the x axis is the normal of A y and A n.
 template <class R>
 M3<R> upright(const M3<R>& a) {
-  V3<R> x = direction(cross(a.c2, a.c3)), z = direction(a.c3);
+  Vec3<R> x = unit(cross(a.c2, a.c3)), z = unit(a.c3);
   M3<R> axes{x, cross(z, x), z};
   R inv = 1 / square_root(dot(a.c3, a.c3));
   return {inv * transposed_times(axes, a.c1), inv * transposed_times(axes, a.c2), {0, 0, 1}};
@@ -158,15 +153,15 @@ M3<R> upright(const M3<R>& a) {
 /// Dupuy and Benyoub 2023, Listing 3, with A in place of diag(alpha_x, alpha_y, 1) and azimuths about A n counted from
 /// the one opposite to the view's, which is not along n.
 template <class R>
-V3<R> sample_cap(const V3<R>& psi, const M3<R>& a, R u1, R u2) {
+Vec3<R> sample_cap(const Vec3<R>& psi, const M3<R>& a, R u1, R u2) {
   M3<R> b = upright(a);
-  V3<R> vh = direction(b * psi);
-  V3<R> away = direction(V3<R>{-vh.x, -vh.y, 0}), z_axis{0, 0, 1};
+  Vec3<R> vh = unit(b * psi);
+  Vec3<R> away = unit(Vec3<R>{-vh.x, -vh.y, 0}), z_axis{0, 0, 1};
   R s, c;
   sin_cos(2 * kPi<R> * u1, s, c);
   R z = (1 - u2) * (1 + vh.z) - vh.z;
   R sin_theta = square_root(1 - z * z > 0 ? 1 - z * z : R(0));
-  return direction(transposed_times(b, sin_theta * (c * away + s * cross(z_axis, away)) + z * z_axis + vh));
+  return unit(transposed_times(b, sin_theta * (c * away + s * cross(z_axis, away)) + z * z_axis + vh));
 }
 
 }  // namespace vndf::ellipsoid

@@ -50,7 +50,7 @@ TEST(Exact, NormalsOfEllipsoidsAreWalters) {
       Tilted::add_angles(random, shape.data());
       ellipsoid::Parameters p{shape[0], shape[1], shape[2], shape[3], shape[4]};
       auto a = ellipsoid::matrix<Quad>(p);
-      shading::V3<Quad> psi{in.wo_x[i], in.wo_y[i], in.wo_z[i]};
+      shading::Vec3<Quad> psi{in.wo_x[i], in.wo_y[i], in.wo_z[i]};
       Quad u1 = in.u_x[i], u2 = in.u_y[i];
       auto m = warp == Warp::spherical_cap ? ellipsoid::sample_cap(psi, a, u1, u2)
                                            : ellipsoid::sample_version_3(psi, a, ellipsoid::disk_point(warp, u1, u2));
@@ -64,7 +64,7 @@ TEST(Exact, NormalsOfEllipsoidsAreWalters) {
       auto sample = exact::sample_reflection(warp, false, wo, surface, u1, u2);
       EXPECT_NEAR(double(sample.pdf), pdf / (4 * double(normal.cos)), 1e-12 * double(sample.pdf));
       // Walter et al. 2015, eq. 50 and 4: f wi.z = D G1(wo) G1(wi) / (4 wo.z).
-      shading::V3<Quad> wi{sample.wi.x, sample.wi.y, sample.wi.z};
+      shading::Vec3<Quad> wi{sample.wi.x, sample.wi.y, sample.wi.z};
       if (wi.z <= 0) continue;
       Quad f = ellipsoid::ndf(m, a) * ellipsoid::g1(psi, a) * ellipsoid::g1(wi, a) / (4 * psi.z);
       EXPECT_NEAR(double(sample.weight.separable * sample.pdf / f), 1, 1e-12);
@@ -76,13 +76,13 @@ TEST(Exact, DensitiesAndWeightsOfGgxAreHeitzs) {
   auto in = reference::generate(reference::hard_cases().front(), Warp::polar, 1024, 24);
   for (std::size_t i = 0; i < in.size(); ++i)
     for (bool bounded : {false, true}) {
-      shading::V3<R> v{in.wo_x[i], in.wo_y[i], in.wo_z[i]};
+      shading::Vec3<R> v{in.wo_x[i], in.wo_y[i], in.wo_z[i]};
       shading::Alpha<R> alpha{in.alpha_x[i], in.alpha_y[i]};
       Vec wo{in.wo_x[i], in.wo_y[i], in.wo_z[i]};
       auto surface = exact::plain(in.alpha_x[i], in.alpha_y[i]);
       auto s = exact::sample_reflection(Warp::polar, bounded, wo, surface, in.u_x[i], in.u_y[i]);
       if (s.wi.z <= 1e-3) continue;
-      shading::V3<R> m{R(s.normal.wm.x), R(s.normal.wm.y), R(s.normal.wm.z)}, l{R(s.wi.x), R(s.wi.y), R(s.wi.z)};
+      shading::Vec3<R> m{R(s.normal.wm.x), R(s.normal.wm.y), R(s.normal.wm.z)}, l{R(s.wi.x), R(s.wi.y), R(s.wi.z)};
       R share = bounded ? shading::bounded_share(v, alpha) : R(1), pdf = shading::reflection_pdf(v, m, alpha) / share;
       EXPECT_NEAR(double(R(s.pdf) / pdf), 1, 1e-12);
       EXPECT_NEAR(double(R(s.weight.correlated * s.pdf) / shading::brdf_cos(v, l, alpha, false)), 1, 1e-12);
@@ -101,13 +101,13 @@ TEST(Exact, DielectricsAreSampledAsTheyAreEvaluated) {
       for (double eta : {1.5, 0.7, 1.01}) {
         // In Quad the view can be a unit vector.
         Vec wo{in.wo_x[i], in.wo_y[i], i % 2 ? in.wo_z[i] : -in.wo_z[i]};
-        Quad norm = exact::length(wo);
+        Quad norm = length(wo);
         wo = {wo.x / norm, wo.y / norm, wo.z / norm};
         auto surface = exact::plain(in.alpha_x[i], in.alpha_y[i]);
         auto s = exact::sample_dielectric(Warp::concentric, reflects, wo, surface, eta, in.u_x[i], in.u_y[i]);
         bool leaves = (s.wi.z > 0) == (reflects == (wo.z > 0)) && s.pdf > 0;
         if (!leaves) continue;
-        EXPECT_NEAR(double(exact::length(s.wi)), 1, 1e-15);
+        EXPECT_NEAR(double(length(s.wi)), 1, 1e-15);
         auto e = exact::evaluate_dielectric(wo, s.wi, surface, eta);
         EXPECT_NEAR(double(e.pdf / s.pdf), 1, 1e-9);
         EXPECT_NEAR(double(e.f_cos.separable / (s.weight.separable * s.pdf)), 1, 1e-9);

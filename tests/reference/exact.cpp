@@ -23,22 +23,6 @@ Quad root(Quad x) {
   return x > 0 ? square_root(x) : Quad(0);
 }
 
-Vec operator*(Quad s, const Vec& v) {
-  return {s * v.x, s * v.y, s * v.z};
-}
-Vec operator+(const Vec& a, const Vec& b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-Quad dot(const Vec& a, const Vec& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-Vec cross(const Vec& a, const Vec& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-Vec unit(const Vec& v) {
-  return (1 / length(v)) * v;
-}
-
 Vec mirrored(bool below, const Vec& v) {
   return below ? Quad(-1) * v : v;
 }
@@ -257,13 +241,6 @@ Quad refraction_jacobian(Quad cos_o, Quad cos_i, Quad eta) {
 }
 
 }  // namespace
-
-Quad length(const Vec& v) {
-  return square_root(dot(v, v));
-}
-Vec difference(const Vec& a, const Vec& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
 
 Surface plain(Quad alpha_x, Quad alpha_y) {
   return {{{alpha_x, 0, 0}, {0, alpha_y, 0}, {0, 0, 1}}, alpha_x * alpha_y, smaller(alpha_x, alpha_y), false};

@@ -9,17 +9,13 @@
 
 #include <vndf/vndf.h>
 
-#include "reference/quad.h"
+#include "reference/vec.h"
 
 namespace vndf::exact {
 
 using reference::Quad;
 
-struct Vec {
-  Quad x, y, z;
-};
-Quad length(const Vec& v);
-Vec difference(const Vec& a, const Vec& b);
+using Vec = reference::Vec3<Quad>;
 
 /// A, row by row, of the GGX ellipsoid, with A n = n, and |A|.
 struct Surface {

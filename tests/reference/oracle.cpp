@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "reference/quad.h"
+#include "reference/vec.h"
 
 namespace vndf::reference {
 namespace {
@@ -39,20 +39,6 @@ template <class R>
 struct Vec2 {
   R x, y;
 };
-template <class R>
-struct Vec3 {
-  R x, y, z;
-};
-
-template <class R>
-Vec3<R> cross(const Vec3<R>& a, const Vec3<R>& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-template <class R>
-R length(const Vec3<R>& a) {
-  return square_root(a.x * a.x + a.y * a.y + a.z * a.z);
-}
-
 /// Heitz 2018, eq. 9-10.
 template <class R>
 Vec2<R> polar(const float u[2]) {

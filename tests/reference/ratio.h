@@ -32,7 +32,7 @@ struct Exact {
   bool compared = true;
 };
 inline Exact exact_vector(const exact::Vec& value, bool compared = true) {
-  return {value, exact::length(value), compared};
+  return {value, length(value), compared};
 }
 inline Exact exact_number(Quad value, bool compared = true) {
   return {{value, 0, 0}, value < 0 ? -value : value, compared};
@@ -69,7 +69,7 @@ std::array<double, results> ratios(const std::array<float, inputs>& in, const st
       ratio[r] = finite ? -1 : INFINITY;
       continue;
     }
-    error[r] = exact::length(exact::difference({Quad(v[0]), Quad(v[1]), Quad(v[2])}, right[r].value));
+    error[r] = distance({Quad(v[0]), Quad(v[1]), Quad(v[2])}, right[r].value);
     moved[r] = std::max(right[r].size * Quad(0x1p-25), Quad(0x1p-150));
     ratio[r] = double(error[r] / moved[r]);
     enough = enough && ratio[r] <= kEnough;
@@ -80,8 +80,7 @@ std::array<double, results> ratios(const std::array<float, inputs>& in, const st
     const std::array<Exact, results> there = exact(at);
     at[i] = Quad(in[i]);
     for (std::size_t r = 0; r < results; ++r)
-      if (ratio[r] >= 0 && ratio[r] < INFINITY)
-        moved[r] += exact::length(exact::difference(there[r].value, right[r].value));
+      if (ratio[r] >= 0 && ratio[r] < INFINITY) moved[r] += distance(there[r].value, right[r].value);
   }
   for (std::size_t r = 0; r < results; ++r)
     if (ratio[r] >= 0 && ratio[r] < INFINITY) ratio[r] = double(error[r] / moved[r]);

@@ -50,9 +50,9 @@ Errors measure(Warp warp, const HardCase& hard_case, bool bounded, std::size_t c
   std::vector<double> pdf_errors;
   auto keep = [](double& largest, R error) { keep_larger(largest, double(error / kEps)); };
   for (std::size_t i = 0; i < count; ++i) {
-    V3<R> wo{in.wo_x[i], in.wo_y[i], in.wo_z[i]};
+    Vec3<R> wo{in.wo_x[i], in.wo_y[i], in.wo_z[i]};
     Alpha<R> alpha{in.alpha_x[i], in.alpha_y[i]};
-    V3<R> wi = sample.wi.at<R>(i);
+    Vec3<R> wi = sample.wi.at<R>(i);
     if (!(wi.z > 0)) {
       EXPECT_EQ(sample.pdf[i], 0);
       EXPECT_EQ(sample.weight[i], 0);
@@ -61,7 +61,7 @@ Errors measure(Warp warp, const HardCase& hard_case, bool bounded, std::size_t c
     EXPECT_GE(sample.weight[i], 0);
 
     // Bounded samples have normals of their own.
-    V3<R> m = unit(sample.wm.at<R>(i));
+    Vec3<R> m = unit(sample.wm.at<R>(i));
     if (!bounded) {
       const float view[3] = {in.wo_x[i], in.wo_y[i], in.wo_z[i]};
       const float roughness[2] = {in.alpha_x[i], in.alpha_y[i]};
@@ -69,11 +69,11 @@ Errors measure(Warp warp, const HardCase& hard_case, bool bounded, std::size_t c
       auto exact_m = reference::oracle_normal_quad(warp, view, roughness, u);
       m = {exact_m.x, exact_m.y, exact_m.z};
     }
-    V3<R> exact = reflect(wo, m);
+    Vec3<R> exact = reflect(wo, m);
     R cos = dot(wo, m);
     R terms = wo.z + 2 * std::fabs(cos) * m.z;
     if (!bounded) {
-      V3<R> off = wi + R(-1) * exact;
+      Vec3<R> off = wi + R(-1) * exact;
       keep(worst.wi, std::sqrt(dot(off, off)));
       // The oracle's normal is rounded to double.
       keep(worst.wi_z, (std::fabs(wi.z - exact.z) - R(0x1p-49)) / terms);
@@ -83,13 +83,13 @@ Errors measure(Warp warp, const HardCase& hard_case, bool bounded, std::size_t c
 
     R share = bounded ? bounded_share(wo, alpha) : R(1);
     R length_o = std::sqrt(dot(stretch(wo, alpha), stretch(wo, alpha)));
-    auto pdf_of = [&](const V3<R>& normal) { return ndf(normal, alpha) / (2 * (length_o + wo.z) * share); };
-    auto weight_of = [&](const V3<R>& l) {
+    auto pdf_of = [&](const Vec3<R>& normal) { return ndf(normal, alpha) / (2 * (length_o + wo.z) * share); };
+    auto weight_of = [&](const Vec3<R>& l) {
       R length_i = std::sqrt(dot(stretch(l, alpha), stretch(l, alpha)));
       return share * l.z * (length_o + wo.z) / (l.z * length_o + length_i * wo.z);
     };
     if (!bounded) {
-      V3<R> slopes = unstretch(m, alpha);
+      Vec3<R> slopes = unstretch(m, alpha);
       R magnified = 1 + std::max(alpha.x, alpha.y) * std::sqrt(dot(slopes, slopes));
       R error = std::fabs(sample.pdf[i] / pdf_of(m) - 1) / magnified;
       keep(worst.pdf, error);
@@ -195,7 +195,7 @@ TEST(Agreement, OfWeightAndBrdf) {
       evaluate_reflection(count, in.wo(), sample.wi.in(), in.alpha(), value.out(), options);
       for (std::size_t i = 0; i < count; ++i) {
         if (sample.wi.z[i] <= 0) continue;
-        auto wo = V3<R>{in.wo_x[i], in.wo_y[i], in.wo_z[i]};
+        auto wo = Vec3<R>{in.wo_x[i], in.wo_y[i], in.wo_z[i]};
         auto wi = sample.wi.at<R>(i);
         R f = brdf_cos(wo, wi, {in.alpha_x[i], in.alpha_y[i]}, masking == Masking::separable);
         ASSERT_NEAR(double(value.f_cos[i] / f), 1, 25 * kEps);
@@ -205,8 +205,8 @@ TEST(Agreement, OfWeightAndBrdf) {
 }
 
 /// The density of visible normals for any view, by the projected area that Walter et al. 2015 give in eq. 28.
-R pdf_of_any_view(const V3<R>& v, const V3<R>& m, const Alpha<R>& alpha) {
-  V3<R> h = stretch(v, alpha);
+R pdf_of_any_view(const Vec3<R>& v, const Vec3<R>& m, const Alpha<R>& alpha) {
+  Vec3<R> h = stretch(v, alpha);
   R length = std::sqrt(dot(h, h)), l2 = h.x * h.x + h.y * h.y;
   R area = h.z < 0 ? l2 / (length - h.z) : length + h.z;
   return 2 * dot(v, m) * ndf(m, alpha) / area;
@@ -222,7 +222,7 @@ TEST(NormalDensity, Accuracy) {
     pdf_normals(count, in.wo(), wm.in(), in.alpha(), pdf.data());
     double worst = 0;
     for (std::size_t i = 0; i < count; ++i) {
-      V3<R> wo{in.wo_x[i], in.wo_y[i], in.wo_z[i]}, m = wm.at<R>(i);
+      Vec3<R> wo{in.wo_x[i], in.wo_y[i], in.wo_z[i]}, m = wm.at<R>(i);
       if (std::fabs(dot(wo, wo) - 1) > 1e-6L || dot(wo, m) <= 0) continue;
       // The formula is homogeneous in m but for the cosine.
       R exact = pdf_of_any_view(wo, unit(m), {in.alpha_x[i], in.alpha_y[i]}) * std::sqrt(dot(m, m));

@@ -38,7 +38,7 @@ constexpr View kViews[] = {{"normal", 0.f, 0.f, 1.f},
 constexpr View kBelow[] = {
     {"horizontal", 0.8f, 0.6f, 0.f}, {"below", -0.9f, 0.3f, -0.31622776f}, {"far_below", 0.3f, 0.4f, -0.8660254f}};
 
-V3<double> vector(const View& v) {
+Vec3<double> vector(const View& v) {
   return {v.x, v.y, v.z};
 }
 Alpha<double> alpha_of(const Roughness& r) {
@@ -173,15 +173,15 @@ TEST(Bounded, ReachesEveryReflectionAboveTheHorizon) {
     Alpha<double> alpha{random.log_uniform(1e-3, 3), random.log_uniform(1e-3, 3)};
     auto direction = [&](double z) {
       double phi = random.uniform(0, 2 * kPi<double>), s = std::sqrt(1 - z * z);
-      return V3<double>{s * std::cos(phi), s * std::sin(phi), z};
+      return Vec3<double>{s * std::cos(phi), s * std::sin(phi), z};
     };
-    V3<double> wo = direction(random.below(2) ? random.uniform(0, 1) : random.log_uniform(1e-4, 1));
-    V3<double> wi = direction(random.below(2) ? random.uniform(0, 1) : random.log_uniform(1e-6, 1));
+    Vec3<double> wo = direction(random.below(2) ? random.uniform(0, 1) : random.log_uniform(1e-4, 1));
+    Vec3<double> wi = direction(random.below(2) ? random.uniform(0, 1) : random.log_uniform(1e-6, 1));
     if (random.below(4) == 0) {  // the corner of the bound: forward along the view, at the horizon
       double s = std::sqrt((1 - wi.z * wi.z) / (1 - wo.z * wo.z));
       wi = {wo.x * s, wo.y * s, wi.z};
     }
-    V3<double> vh = unit(stretch(wo, alpha)), nh = unit(unstretch(wo + wi, alpha));
+    Vec3<double> vh = unit(stretch(wo, alpha)), nh = unit(unstretch(wo + wi, alpha));
     double share = bounded_share(wo, alpha);
     double kz = share * (1 + vh.z) - 1;
     double cz = reflect(vh, nh).z;
@@ -200,7 +200,7 @@ TEST(Brdf, IsReciprocal) {
     Random random(13, i);
     for (auto* d : {&a, &b}) {
       double z = random.log_uniform(1e-3, 1), phi = random.uniform(0, 7);
-      d->set(i, V3<double>{std::sqrt(1 - z * z) * std::cos(phi), std::sqrt(1 - z * z) * std::sin(phi), z});
+      d->set(i, Vec3<double>{std::sqrt(1 - z * z) * std::cos(phi), std::sqrt(1 - z * z) * std::sin(phi), z});
     }
     ax[i] = float(random.log_uniform(1e-3, 1));
     ay[i] = float(random.log_uniform(1e-3, 1));
@@ -271,13 +271,13 @@ P2 squish(const P2& t, R z) {
   R s = (1 + z) / 2;
   return {t[0], (1 - s) * std::sqrt(1 - t[0] * t[0]) + s * t[1]};
 }
-V3<R> reproject(const P2& t, const V3<R>& vh) {
-  V3<R> t1 = unit(V3<R>{-vh.y, vh.x, 0}), t2 = cross(vh, t1);
+Vec3<R> reproject(const P2& t, const Vec3<R>& vh) {
+  Vec3<R> t1 = unit(Vec3<R>{-vh.y, vh.x, 0}), t2 = cross(vh, t1);
   return t[0] * t1 + t[1] * t2 + std::sqrt(1 - t[0] * t[0] - t[1] * t[1]) * vh;
 }
-V3<R> on_cap(const P2& u, const V3<R>& vh, R k) {
+Vec3<R> on_cap(const P2& u, const Vec3<R>& vh, R k) {
   R z = (1 - u[1]) * (1 + k * vh.z) - k * vh.z, s = std::sqrt(1 - z * z), phi = 2 * kPi<R> * u[0];
-  return V3<R>{s * std::cos(phi), s * std::sin(phi), z};
+  return Vec3<R>{s * std::cos(phi), s * std::sin(phi), z};
 }
 
 /// |d f| per area of the plane, for f into the plane or the sphere.
@@ -289,14 +289,14 @@ R area_ratio(Map f, const P2& at) {
     return std::fabs((right[0] - left[0]) * (up[1] - down[1]) - (right[1] - left[1]) * (up[0] - down[0])) /
            (4 * kStep * kStep);
   } else {
-    V3<R> n = cross(right + R(-1) * left, up + R(-1) * down);
+    Vec3<R> n = cross(right + R(-1) * left, up + R(-1) * down);
     return std::sqrt(dot(n, n)) / (4 * kStep * kStep);
   }
 }
 /// The same for f from the sphere to the sphere.
 template <class Map>
-R solid_angle_ratio(Map f, const V3<R>& at) {
-  V3<R> a = unit(cross(at, std::fabs(at.z) < 0.9L ? V3<R>{0, 0, 1} : V3<R>{1, 0, 0})), b = cross(at, a);
+R solid_angle_ratio(Map f, const Vec3<R>& at) {
+  Vec3<R> a = unit(cross(at, std::fabs(at.z) < 0.9L ? Vec3<R>{0, 0, 1} : Vec3<R>{1, 0, 0})), b = cross(at, a);
   return area_ratio([&](const P2& d) { return f(unit(at + d[0] * a + d[1] * b)); }, P2{0, 0});
 }
 
@@ -314,8 +314,8 @@ TEST(Jacobian, OfEveryStageTimesTheDensityIsOne) {
     Random random(15, i);
     Alpha<R> alpha{random.log_uniform(0.02, 1), random.log_uniform(0.02, 1)};
     R z = random.uniform(i % 3 ? 0.05 : -0.9, 0.999), phi = random.uniform(0, 6.28);
-    V3<R> wo{std::sqrt(1 - z * z) * std::cos(phi), std::sqrt(1 - z * z) * std::sin(phi), z};
-    V3<R> vh = unit(stretch(wo, alpha));
+    Vec3<R> wo{std::sqrt(1 - z * z) * std::cos(phi), std::sqrt(1 - z * z) * std::sin(phi), z};
+    Vec3<R> vh = unit(stretch(wo, alpha));
     if (vh.z < -0.98L) continue;
     P2 u{R(random.uniform(0.03, 0.9)), R(random.uniform(0.03, 0.97))};
     R a = 2 * u[0] - 1, b = 2 * u[1] - 1;
@@ -329,13 +329,13 @@ TEST(Jacobian, OfEveryStageTimesTheDensityIsOne) {
     P2 t2 = squish(t, vh.z);
     if (t2[0] * t2[0] + t2[1] * t2[1] > 0.98L || 1 - t[0] * t[0] < 0.02L) continue;
     ASSERT_TRUE(check(1, area_ratio([&](const P2& p) { return squish(p, vh.z); }, t), s));
-    V3<R> nh = reproject(t2, vh);
+    Vec3<R> nh = reproject(t2, vh);
     ASSERT_TRUE(check(2, area_ratio([&](const P2& p) { return reproject(p, vh); }, t2), 1 / dot(nh, vh)));
-    auto to_ellipsoid = [&](const V3<R>& n) { return unit(stretch(n, alpha)); };
-    V3<R> m = to_ellipsoid(nh);
+    auto to_ellipsoid = [&](const Vec3<R>& n) { return unit(stretch(n, alpha)); };
+    Vec3<R> m = to_ellipsoid(nh);
     R n = std::sqrt(dot(stretch(nh, alpha), stretch(nh, alpha)));
     ASSERT_TRUE(check(3, solid_angle_ratio(to_ellipsoid, nh), alpha.x * alpha.y / (n * n * n)));
-    ASSERT_TRUE(check(4, solid_angle_ratio([&](const V3<R>& v) { return reflect(wo, v); }, m), 4 * dot(wo, m)));
+    ASSERT_TRUE(check(4, solid_angle_ratio([&](const Vec3<R>& v) { return reflect(wo, v); }, m), 4 * dot(wo, m)));
     if (wo.z <= 0) continue;
 
     auto normal = [&](const P2& p) { return to_ellipsoid(reproject(squish(disk(p), vh.z), vh)); };
@@ -347,7 +347,7 @@ TEST(Jacobian, OfEveryStageTimesTheDensityIsOne) {
     for (R share : {R(1), bounded_share(wo, alpha)}) {
       R k = (share * (1 + vh.z) - 1) / vh.z;
       auto cap = [&](const P2& p) { return to_ellipsoid(unit(on_cap(p, vh, k) + vh)); };
-      V3<R> mc = cap(u);
+      Vec3<R> mc = cap(u);
       auto reflected = [&](const P2& p) { return reflect(wo, cap(p)); };
       ASSERT_TRUE(check(6, area_ratio(reflected, u) * reflection_pdf(wo, mc, alpha) / share, 1));
     }

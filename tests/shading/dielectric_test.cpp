@@ -90,11 +90,11 @@ TEST(Dielectric, DirectionsAndSides) {
           Directions wm(kCount);
           sample_normals(warp, kCount, {flip * v.x, flip * v.y, flip * v.z}, {alpha.x, alpha.y},
                          {u.a.data(), u.b.data()}, wm.out());
-          V3<R> wo{flip * v.x, flip * v.y, flip * v.z};
+          Vec3<R> wo{flip * v.x, flip * v.y, flip * v.z};
           R n = v.z < 0 ? 1 / R(eta) : R(eta);
           double flipped = 0;
           for (std::size_t i = 0; i < kCount; ++i) {
-            V3<R> m = unit(wm.at<R>(i));
+            Vec3<R> m = unit(wm.at<R>(i));
             R c = dot(wo, m), f = fresnel(c, n);
             bool reflects = sample.side[i] > 0;
             ASSERT_TRUE(std::fabs(sample.side[i]) == 1);
@@ -103,10 +103,10 @@ TEST(Dielectric, DirectionsAndSides) {
             }
             flipped += reflects != (R(u.c[i]) < f);
             R sin2 = (1 - c * c) / (n * n);
-            V3<R> exact =
+            Vec3<R> exact =
                 reflects ? reflect(wo, m) : (1 / n) * (R(-1) * wo) + (c / n - std::sqrt(std::max(R(0), 1 - sin2))) * m;
             exact = R(flip) * exact;
-            V3<R> wi = sample.wi.at<R>(i), off = wi + R(-1) * exact;
+            Vec3<R> wi = sample.wi.at<R>(i), off = wi + R(-1) * exact;
             // Refraction near total reflection is as ill-conditioned as the root of 1 - sin^2.
             R conditioning = reflects ? R(1) : 1 + 1 / std::sqrt(std::max(R(1e-12L), 1 - sin2));
             keep_larger(worst[reflects], double(std::sqrt(dot(off, off)) / conditioning / kEps));
@@ -144,8 +144,8 @@ TEST(Dielectric, SampleAgreesWithEvaluate) {
           R n = v.z < 0 ? 1 / R(eta) : R(eta);
           for (std::size_t i = 0; i < kCount; ++i) {
             if (sample.pdf[i] <= 0) continue;
-            V3<R> wo{v.x, v.y, v.z}, wi = sample.wi.at<R>(i);
-            V3<R> h = wo + (sample.side[i] > 0 ? R(1) : n) * wi;
+            Vec3<R> wo{v.x, v.y, v.z}, wi = sample.wi.at<R>(i);
+            Vec3<R> h = wo + (sample.side[i] > 0 ? R(1) : n) * wi;
             R length = std::sqrt(dot(h, h)), c = std::fabs(dot(wo, h)) / length, c_i = std::fabs(dot(wi, h)) / length;
             R conditioning = (4 + 2 / R(std::min(alpha.x, alpha.y))) / std::min(R(1), length) / (c * c_i);
             conditioning *= 1 + contrast(eta) / std::sqrt(std::max(R(1e-12L), std::fabs(n * n - 1 + c * c)));
@@ -219,7 +219,7 @@ TEST(Dielectric, IsReciprocal) {
     Random random(46, i);
     for (auto* d : {&a, &b}) {
       double z = random.uniform(0.05, 1), phi = random.uniform(0, 7), s = std::sqrt(1 - z * z);
-      d->set(i, V3<double>{s * std::cos(phi), s * std::sin(phi), d == &a || random.below(2) ? z : -z});
+      d->set(i, Vec3<double>{s * std::cos(phi), s * std::sin(phi), d == &a || random.below(2) ? z : -z});
     }
   }
   double worst = 0;
@@ -235,7 +235,7 @@ TEST(Dielectric, IsReciprocal) {
       // Straight passage, and cosines near 0, which for the other way is near total reflection: there g^2 is a
       // difference.
       R n = through ? R(eta) : R(1);
-      V3<R> h = a.at<R>(i) + n * b.at<R>(i);
+      Vec3<R> h = a.at<R>(i) + n * b.at<R>(i);
       R length = std::sqrt(dot(h, h)), c = std::fabs(dot(a.at<R>(i), h)) / length,
         c_i = std::fabs(dot(b.at<R>(i), h)) / length;
       // On the borders of what is possible, that of total reflection among them, rounding decides.

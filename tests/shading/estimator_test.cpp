@@ -14,8 +14,8 @@ namespace {
 using reference::Random;
 
 /// Light from everywhere, from a window near the horizon, and from a lamp.
-double radiance(const V3<double>& wi) {
-  V3<double> lamp = unit(V3<double>{-0.5, 0.4, 0.7});
+double radiance(const Vec3<double>& wi) {
+  Vec3<double> lamp = unit(Vec3<double>{-0.5, 0.4, 0.7});
   return 0.5 + 0.3 * wi.x + (wi.z < 0.3 && wi.x < 0 ? 2 : 0) + 5 * std::exp(30 * (dot(wi, lamp) - 1));
 }
 
@@ -55,7 +55,7 @@ TEST(Estimator, AgreesWithIntegrationAndHasTheLeastVariance) {
        {Alpha<float>{0.1f, 0.1f}, {0.3f, 0.3f}, {0.6f, 0.6f}, {1.f, 1.f}, {0.2f, 0.8f}, {0.7f, 0.9f}})
     for (float cos : {0.95f, 0.6f, 0.3f, 0.1f}) {
       float sin = std::sqrt(1 - cos * cos);
-      V3<double> wo{0.8f * sin, 0.6f * sin, cos};
+      Vec3<double> wo{0.8f * sin, 0.6f * sin, cos};
       Alpha<double> a{alpha.x, alpha.y};
       // By integration over the normals, with the library's BRDF.
       NormalGrid grid(wo, a, 500, 1000);
@@ -85,10 +85,10 @@ TEST(Estimator, AgreesWithIntegrationAndHasTheLeastVariance) {
       // Normals of density D(m) m.z: slopes (alpha_x, alpha_y) tan(theta) with sin^2(theta) uniform.
       auto by_ndf = [&](std::size_t i, bool lit) {
         double t = std::sqrt(u1[i] / (1 - double(u1[i]))), phi = 2 * kPi<double> * u2[i];
-        V3<double> m = unit(V3<double>{a.x * t * std::cos(phi), a.y * t * std::sin(phi), 1});
+        Vec3<double> m = unit(Vec3<double>{a.x * t * std::cos(phi), a.y * t * std::sin(phi), 1});
         double c = dot(wo, m);
         if (c <= 0) return -1.;
-        V3<double> l = reflect(wo, m);
+        Vec3<double> l = reflect(wo, m);
         if (l.z <= 0) return -1.;
         return brdf_cos(wo, l, a, false) * 4 * c / (ndf(m, a) * m.z) * (lit ? radiance(l) : 1);
       };
@@ -112,36 +112,37 @@ TEST(Estimator, AgreesWithIntegrationAndHasTheLeastVariance) {
 // forms.
 class Rejection {
  public:
-  Rejection(const V3<double>& wo, const Alpha<double>& alpha, std::uint64_t seed)
+  Rejection(const Vec3<double>& wo, const Alpha<double>& alpha, std::uint64_t seed)
       : wo_(wo), alpha_(alpha), random_(seed) {}
 
-  V3<double> version_1() {
-    V3<double> a = unit(cross(wo_, std::fabs(wo_.z) < 0.9 ? V3<double>{0, 0, 1} : V3<double>{1, 0, 0}));
-    V3<double> b = cross(wo_, a);
+  Vec3<double> version_1() {
+    Vec3<double> a = unit(cross(wo_, std::fabs(wo_.z) < 0.9 ? Vec3<double>{0, 0, 1} : Vec3<double>{1, 0, 0}));
+    Vec3<double> b = cross(wo_, a);
     double radius = 1 / std::min({1., alpha_.x, alpha_.y});
     for (;;) {
       ++tried_;
       auto [x, y] = disk();
-      V3<double> from = (radius * x) * a + (radius * y) * b;
+      Vec3<double> from = (radius * x) * a + (radius * y) * b;
       // |A (from - t wo)| = 1, the first hit being the one on the viewer's side.
-      V3<double> o = stretch(from, alpha_), d = stretch(wo_, alpha_);
+      Vec3<double> o = stretch(from, alpha_), d = stretch(wo_, alpha_);
       double dd = dot(d, d), od = dot(o, d), discriminant = od * od - dd * (dot(o, o) - 1);
       if (discriminant < 0) continue;
       double t = (od - std::sqrt(discriminant)) / dd;
-      V3<double> p = from + (-t) * wo_;
-      V3<double> m = unit(stretch(stretch(p, alpha_), alpha_));
+      Vec3<double> p = from + (-t) * wo_;
+      Vec3<double> m = unit(stretch(stretch(p, alpha_), alpha_));
       if (m.z < 0 || dot(m, wo_) < 0) continue;
       return m;
     }
   }
 
-  V3<double> version_2() {
-    V3<double> d = unit(stretch(wo_, alpha_));
-    V3<double> a = unit(cross(d, std::fabs(d.z) < 0.9 ? V3<double>{0, 0, 1} : V3<double>{1, 0, 0})), b = cross(d, a);
+  Vec3<double> version_2() {
+    Vec3<double> d = unit(stretch(wo_, alpha_));
+    Vec3<double> a = unit(cross(d, std::fabs(d.z) < 0.9 ? Vec3<double>{0, 0, 1} : Vec3<double>{1, 0, 0})),
+                 b = cross(d, a);
     for (;;) {
       ++tried_;
       auto [x, y] = disk();
-      V3<double> p = x * a + y * b + std::sqrt(std::max(0., 1 - x * x - y * y)) * d;
+      Vec3<double> p = x * a + y * b + std::sqrt(std::max(0., 1 - x * x - y * y)) * d;
       if (p.z >= 0) return unit(stretch(p, alpha_));
     }
   }
@@ -154,7 +155,7 @@ class Rejection {
       if (x * x + y * y < 1) return {x, y};
     }
   }
-  V3<double> wo_;
+  Vec3<double> wo_;
   Alpha<double> alpha_;
   Random random_;
   double tried_ = 0;
@@ -163,13 +164,13 @@ class Rejection {
 TEST(Rejection, HasTheDistributionOfOurNormals) {
   constexpr std::size_t kSamples = std::size_t(1) << 17;
   const Alpha<float> alphas[] = {{0.3f, 0.3f}, {1.f, 1.f}, {0.2f, 0.7f}, {2.f, 0.6f}};
-  const V3<float> views[] = {
+  const Vec3<float> views[] = {
       {0, 0, 1}, {0.6f, -0.36f, 0.71442284f}, {-0.27f, 0.9625487f, 0.02f}, {-0.9f, 0.3f, -0.31622776f}};
   double tests = 4 * 4 * 3 * 2;
   for (const auto& alpha : alphas)
     for (const auto& wo : views) {
       Alpha<double> a{alpha.x, alpha.y};
-      V3<double> view{wo.x, wo.y, wo.z};
+      Vec3<double> view{wo.x, wo.y, wo.z};
       Rejection first(view, a, 31), second(view, a, 32);
       std::vector<double> by_1(kRings * kSectors), by_2(by_1.size());
       for (std::size_t i = 0; i < kSamples; ++i) {

@@ -5,7 +5,8 @@
 
 #include <vndf/vndf.h>
 
-#include "model.h"
+#include "reference/random.h"
+#include "shading/model.h"
 
 namespace vndf::shading {
 
@@ -18,15 +19,36 @@ struct Directions {
   Columns3 in() const { return {x.data(), y.data(), z.data()}; }
   Out3 out() { return {x.data(), y.data(), z.data()}; }
   template <class R = double>
-  V3<R> at(std::size_t i) const {
+  Vec3<R> at(std::size_t i) const {
     return {R(x[i]), R(y[i]), R(z[i])};
   }
   template <class R>
-  void set(std::size_t i, const V3<R>& v) {
+  void set(std::size_t i, const Vec3<R>& v) {
     x[i] = float(v.x);
     y[i] = float(v.y);
     z[i] = float(v.z);
   }
+};
+
+/// A direction of this height.
+inline Vec3<double> random_direction(reference::Random& random, double z) {
+  double phi = random.uniform(0, 2 * kPi<double>), s = std::sqrt((1 - z) * (1 + z));
+  return {s * std::cos(phi), s * std::sin(phi), z};
+}
+
+/// Random numbers: two for the normal and one for the side.
+struct Numbers {
+  std::vector<float> a, b, c;
+  Numbers(std::size_t count, std::uint64_t seed) : a(count), b(count), c(count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      reference::Random random(seed, i);
+      a[i] = random.unit();
+      b[i] = random.unit();
+      c[i] = random.unit();
+    }
+  }
+  Columns2 pairs() const { return {a.data(), b.data()}; }
+  Columns3 in() const { return {a.data(), b.data(), c.data()}; }
 };
 
 struct Samples {

@@ -4,36 +4,17 @@
 
 #include <cmath>
 
-#include "reference/quad.h"
+#include "reference/vec.h"
 
 namespace vndf::shading {
 
+using reference::cross;
+using reference::distance;
+using reference::dot;
 using reference::kPi;
-
-template <class R>
-struct V3 {
-  R x, y, z;
-};
-template <class R>
-V3<R> operator+(const V3<R>& a, const V3<R>& b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-template <class R>
-V3<R> operator*(R s, const V3<R>& a) {
-  return {s * a.x, s * a.y, s * a.z};
-}
-template <class R>
-R dot(const V3<R>& a, const V3<R>& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-template <class R>
-V3<R> cross(const V3<R>& a, const V3<R>& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-template <class R>
-V3<R> unit(const V3<R>& a) {
-  return (1 / std::sqrt(dot(a, a))) * a;
-}
+using reference::length;
+using reference::unit;
+using reference::Vec3;
 
 template <class R>
 struct Alpha {
@@ -42,49 +23,49 @@ struct Alpha {
 
 /// A v and A^-1 v.
 template <class R>
-V3<R> stretch(const V3<R>& v, const Alpha<R>& alpha) {
+Vec3<R> stretch(const Vec3<R>& v, const Alpha<R>& alpha) {
   return {alpha.x * v.x, alpha.y * v.y, v.z};
 }
 template <class R>
-V3<R> unstretch(const V3<R>& v, const Alpha<R>& alpha) {
+Vec3<R> unstretch(const Vec3<R>& v, const Alpha<R>& alpha) {
   return {v.x / alpha.x, v.y / alpha.y, v.z};
 }
 
 /// Heitz 2018, eq. 1.
 template <class R>
-R ndf(const V3<R>& m, const Alpha<R>& alpha) {
+R ndf(const Vec3<R>& m, const Alpha<R>& alpha) {
   R k = m.x * m.x / (alpha.x * alpha.x) + m.y * m.y / (alpha.y * alpha.y) + m.z * m.z;
   return 1 / (kPi<R> * alpha.x * alpha.y * k * k);
 }
 /// Eq. 2.
 template <class R>
-R lambda(const V3<R>& v, const Alpha<R>& alpha) {
+R lambda(const Vec3<R>& v, const Alpha<R>& alpha) {
   R t = (alpha.x * alpha.x * v.x * v.x + alpha.y * alpha.y * v.y * v.y) / (v.z * v.z);
   return (-1 + std::sqrt(1 + t)) / 2;
 }
 template <class R>
-R g1(const V3<R>& v, const Alpha<R>& alpha) {
+R g1(const Vec3<R>& v, const Alpha<R>& alpha) {
   return v.z > 0 ? 1 / (1 + lambda(v, alpha)) : R(0);
 }
 template <class R>
-R g2(const V3<R>& v, const V3<R>& l, const Alpha<R>& alpha, bool separable) {
+R g2(const Vec3<R>& v, const Vec3<R>& l, const Alpha<R>& alpha, bool separable) {
   if (separable) return g1(v, alpha) * g1(l, alpha);
   return v.z > 0 && l.z > 0 ? 1 / (1 + lambda(v, alpha) + lambda(l, alpha)) : R(0);
 }
 /// Eq. 3, views above the horizon.
 template <class R>
-R visible_normal_pdf(const V3<R>& v, const V3<R>& m, const Alpha<R>& alpha) {
+R visible_normal_pdf(const Vec3<R>& v, const Vec3<R>& m, const Alpha<R>& alpha) {
   R cos = dot(v, m);
   return cos > 0 ? g1(v, alpha) * cos * ndf(m, alpha) / v.z : R(0);
 }
 template <class R>
-V3<R> reflect(const V3<R>& v, const V3<R>& m) {
+Vec3<R> reflect(const Vec3<R>& v, const Vec3<R>& m) {
   return 2 * dot(v, m) * m + R(-1) * v;
 }
 
 /// Eto and Tokuyoshi 2023: the share of the visible area that bounded sampling keeps, (1 + k Vh.z) / (1 + Vh.z).
 template <class R>
-R bounded_share(const V3<R>& v, const Alpha<R>& alpha) {
+R bounded_share(const Vec3<R>& v, const Alpha<R>& alpha) {
   R a = std::fmin(R(1), std::fmin(alpha.x, alpha.y));
   R s = 1 + std::sqrt(v.x * v.x + v.y * v.y);
   R k = (1 - a * a) * s * s / (s * s + a * a * v.z * v.z);
@@ -93,11 +74,11 @@ R bounded_share(const V3<R>& v, const Alpha<R>& alpha) {
 }
 /// Eq. 17, by 4 (v.m), and 18.
 template <class R>
-R reflection_pdf(const V3<R>& v, const V3<R>& m, const Alpha<R>& alpha) {
+R reflection_pdf(const Vec3<R>& v, const Vec3<R>& m, const Alpha<R>& alpha) {
   return visible_normal_pdf(v, m, alpha) / (4 * dot(v, m));
 }
 template <class R>
-R brdf_cos(const V3<R>& v, const V3<R>& l, const Alpha<R>& alpha, bool separable) {
+R brdf_cos(const Vec3<R>& v, const Vec3<R>& l, const Alpha<R>& alpha, bool separable) {
   return ndf(unit(v + l), alpha) * g2(v, l, alpha, separable) / (4 * v.z);
 }
 

@@ -1,26 +1,11 @@
-// Light that leaves a surface on either side: the sphere as a grid, and three random numbers a sample.
+// Light that leaves a surface on either side: the sphere as a grid.
 #pragma once
 
 #include <algorithm>
 
-#include "reference/random.h"
 #include "shading/statistics.h"
 
 namespace vndf::shading {
-
-/// Two random numbers for the normal and one for the side.
-struct Numbers {
-  std::vector<float> a, b, c;
-  Numbers(std::size_t count, std::uint64_t seed) : a(count), b(count), c(count) {
-    for (std::size_t i = 0; i < count; ++i) {
-      reference::Random random(seed, i);
-      a[i] = random.unit();
-      b[i] = random.unit();
-      c[i] = random.unit();
-    }
-  }
-  Columns3 in() const { return {a.data(), b.data(), c.data()}; }
-};
 
 /// The sphere in equal angles, with room for what evaluate_dielectric gives. The density of refraction jumps where wm
 /// is horizontal, close to the horizon: the polar angle is what needs a fine grid.
@@ -37,7 +22,7 @@ struct Sphere {
         double theta = kPi<double> * (i + 0.5) / (kBands * kSubBands);
         double phi = 2 * kPi<double> * (j + 0.5) / (kTurns * kSubTurns), s = std::sin(theta);
         auto at = std::size_t(i) * kTurns * kSubTurns + std::size_t(j);
-        wi.set(at, V3<double>{s * std::cos(phi), s * std::sin(phi), std::cos(theta)});
+        wi.set(at, Vec3<double>{s * std::cos(phi), s * std::sin(phi), std::cos(theta)});
         solid_angle[at] = s * kPi<double> / (kBands * kSubBands) * 2 * kPi<double> / (kTurns * kSubTurns);
       }
   }
@@ -79,7 +64,7 @@ struct Sphere {
   static std::size_t bin(std::size_t at) {
     return at / (kTurns * kSubTurns) / kSubBands * kTurns + at % (kTurns * kSubTurns) / kSubTurns;
   }
-  static std::size_t bin(const V3<double>& d) {
+  static std::size_t bin(const Vec3<double>& d) {
     double phi = std::atan2(d.y, d.x);
     if (phi < 0) phi += 2 * kPi<double>;
     int band = std::min(kBands - 1, int(std::atan2(std::hypot(d.x, d.y), d.z) / kPi<double> * kBands));

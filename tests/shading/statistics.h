@@ -84,16 +84,16 @@ struct NormalGrid {
   std::vector<double> solid_angle;
 
   /// For views below the horizon the grid covers only the polar angles where some normals are visible.
-  NormalGrid(const V3<double>& wo, const Alpha<double>& alpha, int rings, int sectors)
+  NormalGrid(const Vec3<double>& wo, const Alpha<double>& alpha, int rings, int sectors)
       : m(std::size_t(rings) * std::size_t(sectors)), solid_angle(m.size()) {
-    V3<double> vh = unit(stretch(wo, alpha));
+    Vec3<double> vh = unit(stretch(wo, alpha));
     double from = vh.z < 0 ? std::atan2(-vh.z, std::hypot(vh.x, vh.y)) : 0;
     double d_theta = (kPi<double> / 2 - from) / rings, d_phi = 2 * kPi<double> / sectors;
     for (int i = 0; i < rings; ++i)
       for (int j = 0; j < sectors; ++j) {
         double theta = from + (i + 0.5) * d_theta, phi = (j + 0.5) * d_phi;
-        V3<double> nh{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
-        V3<double> ne = stretch(nh, alpha);
+        Vec3<double> nh{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+        Vec3<double> ne = stretch(nh, alpha);
         double n = std::sqrt(dot(ne, ne));
         auto at = std::size_t(i) * std::size_t(sectors) + std::size_t(j);
         m.set(at, unit(ne));
@@ -105,8 +105,8 @@ struct NormalGrid {
 constexpr int kRings = 16, kSectors = 24;
 
 /// The bin of a normal in the hemisphere configuration.
-inline std::size_t bin_of_normal(const V3<double>& m, const Alpha<double>& alpha) {
-  V3<double> nh = unstretch(m, alpha);
+inline std::size_t bin_of_normal(const Vec3<double>& m, const Alpha<double>& alpha) {
+  Vec3<double> nh = unstretch(m, alpha);
   double theta = std::atan2(std::hypot(nh.x, nh.y), nh.z), phi = std::atan2(nh.y, nh.x);
   if (phi < 0) phi += 2 * kPi<double>;
   int ring = std::min(kRings - 1, int(theta / (kPi<double> / 2) * kRings));

@@ -221,6 +221,19 @@ void Operation::run(std::size_t count, const Column* in, float* const* out) cons
   call(count, from, to);
 }
 
+template <class Columns>
+std::size_t find(const Columns& columns, const std::string& name) {
+  std::size_t c = 0;
+  while (c < columns.size() && columns[c].name != name) ++c;
+  return c;
+}
+std::size_t Operation::input(const std::string& column) const {
+  return find(inputs, column);
+}
+std::size_t Operation::output(const std::string& column) const {
+  return find(outputs, column);
+}
+
 bool Operation::takes(Kind kind) const {
   for (const Input& input : inputs)
     if (input.kind == kind) return true;
@@ -232,10 +245,30 @@ const std::vector<Operation>& operations() {
   return all;
 }
 
-const Operation& operation(const std::string& name) {
+const Operation* find_operation(const std::string& name) {
   for (const Operation& row : operations())
-    if (row.name == name) return row;
-  std::abort();
+    if (row.name == name) return &row;
+  return nullptr;
+}
+const Operation& operation(const std::string& name) {
+  const Operation* row = find_operation(name);
+  if (!row) std::abort();
+  return *row;
+}
+
+// A sample is named function_surface_warp_options.
+const Operation* evaluation_of(const Operation& row) {
+  std::string name = row.name, warp = std::string("_") + kWarpNames[int(row.warp)];
+  std::size_t at = name.find(warp), samples = name.find("normals") == 0 || row.output("wi.x") < row.outputs.size();
+  if (at == std::string::npos || !samples) return nullptr;
+  name.erase(at, warp.size());
+  return find_operation((name.find("normals") == 0 ? "pdf_" : "evaluate_") + name);
+}
+const Operation* normals_of(const Operation& row) {
+  std::string function = "reflection", warp = kWarpNames[int(row.warp)];
+  std::size_t at = row.name.find(warp);
+  if (row.name.find(function) != 0 || row.name.find("_bounded") != std::string::npos) return nullptr;
+  return find_operation("normals" + row.name.substr(function.size(), at + warp.size() - function.size()));
 }
 
 }  // namespace vndf::testing

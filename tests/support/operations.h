@@ -58,12 +58,18 @@ struct Operation {
   /// Columns in the order of `inputs` and `outputs`.
   void run(std::size_t count, const Column* in, float* const* out) const;
   bool takes(Kind kind) const;
+  /// The number of a column, or that of the columns where there is none of this name.
+  std::size_t input(const std::string& column) const;
+  std::size_t output(const std::string& column) const;
 };
 
 /// The rows. To add one, see operations.cpp.
 const std::vector<Operation>& operations();
 /// The row of this name, which must be there.
 const Operation& operation(const std::string& name);
+/// By their names, the row that evaluates the samples of a row, and the one whose normals its samples have; or null.
+const Operation* evaluation_of(const Operation& row);
+const Operation* normals_of(const Operation& row);
 
 constexpr Warp kWarps[] = {Warp::polar, Warp::concentric, Warp::spherical_cap};
 constexpr const char* kWarpNames[] = {"polar", "concentric", "spherical_cap"};
