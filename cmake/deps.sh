@@ -2,12 +2,12 @@
 # Installs what vndf builds with on Debian and Ubuntu; elsewhere says what to install. Does nothing where all is there.
 # --wavefront: what the renderer of bench/wavefront builds with, as well.
 set -e
-packages="g++ make cmake ninja-build pkg-config libxsimd-dev libgtest-dev libbenchmark-dev libcli11-dev nlohmann-json3-dev
-  python3-matplotlib python3-pandas python3-jinja2"
+packages="g++ make cmake ninja-build pkg-config libxsimd-dev libgtest-dev libboost-dev libbenchmark-dev libcli11-dev
+  nlohmann-json3-dev  python3-matplotlib python3-pandas python3-jinja2"
 
 case "${1:-}" in
   "") ;;
-  --wavefront) packages="$packages libembree-dev libtbb-dev libopenexr-dev libpng-dev libtinyobjloader-dev libboost-dev
+  --wavefront) packages="$packages libembree-dev libtbb-dev libopenexr-dev libpng-dev libtinyobjloader-dev
   openimageio-tools" ;;
   *) echo "usage: sh cmake/deps.sh [--wavefront]" >&2; exit 2 ;;
 esac
@@ -19,6 +19,7 @@ This script installs Debian and Ubuntu packages only. Please install, by your sy
   and for the tests Make and pkg-config
   xsimd 8.1 to 14 (header-only)   https://github.com/xtensor-stack/xsimd
   GoogleTest                      https://github.com/google/googletest
+  Boost.Math (for the tests)      https://www.boost.org
   Google Benchmark                https://github.com/google/benchmark
   CLI11                           https://github.com/CLIUtils/CLI11
   nlohmann/json                   https://github.com/nlohmann/json

@@ -4,7 +4,7 @@
 
 #include "ellipsoid/model.h"
 #include "reference/errors.h"
-#include "shading/sphere.h"
+#include "shading/grids.h"
 #include "support/bits.h"
 
 namespace vndf::shading {

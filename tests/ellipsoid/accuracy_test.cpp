@@ -176,57 +176,6 @@ struct Batch {
   Columns2 u() const { return in.u(); }
 };
 
-// theta = 0, as constants, as a column of theta_z or as columns of all: the bits of the plain functions with separable
-// masking.
-enum class Zero { constants, turned, tilted };
-Ellipsoid without_angles(Zero zero, const Columns2& alpha, const std::vector<float>& zeros) {
-  Column column = zeros.data(), constant = 0.f;
-  Column leaning = zero == Zero::tilted ? column : constant;
-  return {alpha, leaning, leaning, zero == Zero::constants ? constant : column};
-}
-
-TEST(Identity, PlainNormals) {
-  constexpr std::size_t kCount = 1 << 14;
-  std::vector<float> zeros(kCount);
-  for (const auto& row : reference::hard_cases())
-    for (Warp warp : kWarps) {
-      auto in = reference::generate(row, warp, kCount, 5);
-      Directions plain(kCount), other(kCount);
-      sample_normals(warp, kCount, in.wo(), in.alpha(), in.u(), plain.out());
-      for (Zero zero : {Zero::constants, Zero::turned, Zero::tilted}) {
-        sample_normals(warp, kCount, in.wo(), without_angles(zero, in.alpha(), zeros), in.u(), other.out());
-        EXPECT_TRUE(same_bits({plain.x, plain.y, plain.z}, {other.x, other.y, other.z}))
-            << row.name << " " << int(zero);
-      }
-    }
-}
-
-TEST(Identity, PlainReflection) {
-  constexpr std::size_t kCount = 1 << 16;
-  ReflectionOptions options{Masking::separable, false};
-  std::vector<float> zeros(kCount);
-  for (const char* row : {"typical", "grazing", "small_alpha"})
-    for (Warp warp : kWarps)
-      for (Zero zero : {Zero::constants, Zero::turned, Zero::tilted}) {
-        Batch in(row, kCount, 6);
-        Ellipsoid ellipsoid = without_angles(zero, in.alpha(), zeros);
-        Samples plain(kCount), other(kCount);
-        Values there(kCount), here(kCount);
-        std::vector<float> pdf(kCount), other_pdf(kCount);
-        sample_reflection(warp, kCount, in.wo(), in.alpha(), in.u(), plain.with_normals(), options);
-        sample_reflection(warp, kCount, in.wo(), ellipsoid, in.u(), other.with_normals());
-        evaluate_reflection(kCount, in.wo(), plain.wi.in(), in.alpha(), there.out(), options);
-        evaluate_reflection(kCount, in.wo(), plain.wi.in(), ellipsoid, here.out());
-        pdf_normals(kCount, in.wo(), plain.wm.in(), in.alpha(), pdf.data());
-        pdf_normals(kCount, in.wo(), plain.wm.in(), ellipsoid, other_pdf.data());
-        auto table = [](const Samples& s, const Values& value, const std::vector<float>& density) {
-          return Table{s.wi.x, s.wi.y, s.wi.z, s.pdf,       s.weight,  s.wm.x,
-                       s.wm.y, s.wm.z, s.cos,  value.f_cos, value.pdf, density};
-        };
-        EXPECT_TRUE(same_bits(table(plain, there, pdf), table(other, here, other_pdf))) << row << " " << int(zero);
-      }
-}
-
 // theta_x = theta_y = 0 is plain GGX in a frame turned about n, sample by sample, whichever way the angles are given;
 // straight from above too, where only the frame says which azimuth is which.
 TEST(Identity, TurnedFrame) {

@@ -7,7 +7,7 @@
 
 #include <vndf/ellipsoid.h>
 
-#include "shading/statistics.h"
+#include "shading/inputs.h"
 
 namespace vndf::ellipsoid {
 

@@ -58,7 +58,7 @@ function(vndf_golden_build name)
            COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${PROJECT_SOURCE_DIR} ${build}
                    --build-generator ${CMAKE_GENERATOR} --build-target golden_test
                    --build-options -DVNDF_BUILD_TESTS=ON -DVNDF_BUILD_BENCH=OFF -Dxsimd_DIR=${xsimd_DIR}
-                                   -DXSIMD_INCLUDE_DIR=${XSIMD_INCLUDE_DIR} -DGTest_DIR=${GTest_DIR} ${ARGN}
+                                   -DXSIMD_INCLUDE_DIR=${XSIMD_INCLUDE_DIR} -DGTest_DIR=${GTest_DIR} -DBoost_DIR=${Boost_DIR} ${ARGN}
                    --test-command ${build}/tests/golden_test)
   set_tests_properties(golden_bits.${name} PROPERTIES TIMEOUT 900)
 endfunction()

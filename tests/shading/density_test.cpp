@@ -11,7 +11,7 @@
 
 #include "reference/errors.h"
 #include "reference/random.h"
-#include "shading/statistics.h"
+#include "shading/grids.h"
 
 namespace vndf::shading {
 namespace {
@@ -43,6 +43,9 @@ Vec3<double> vector(const View& v) {
 }
 Alpha<double> alpha_of(const Roughness& r) {
   return {r.x, r.y};
+}
+ellipsoid::M3<double> diagonal(const Roughness& r) {
+  return {{r.x, 0, 0}, {0, r.y, 0}, {0, 0, 1}};
 }
 
 double integrate(const NormalGrid& grid, const std::vector<float>& values) {
@@ -94,20 +97,17 @@ TEST(Density, PassesTheWeakWhiteFurnace) {
 
 /// What evaluate_reflection gives for the reflections at a grid of normals.
 struct Reflections {
+  NormalGrid normals;
   Directions wi;
   Values value;
   std::vector<double> solid_angle;
 
-  Reflections(const View& view, const Roughness& r, const ReflectionOptions& options, int rings, int sectors)
-      : Reflections(view, r, options, NormalGrid(vector(view), alpha_of(r), rings, sectors)) {}
-
- private:
-  Reflections(const View& view, const Roughness& r, const ReflectionOptions& options, const NormalGrid& grid)
-      : wi(grid.m.size()), value(grid.m.size()), solid_angle(grid.m.size()) {
+  Reflections(const View& view, const Roughness& r, const ReflectionOptions& options, NormalGrid grid)
+      : normals(std::move(grid)), wi(normals.size()), value(normals.size()), solid_angle(normals.size()) {
     for (std::size_t i = 0; i < wi.size(); ++i) {
-      double cos = dot(vector(view), grid.m.at(i));
-      wi.set(i, reflect(vector(view), grid.m.at(i)));
-      solid_angle[i] = cos > 0 ? 4 * cos * grid.solid_angle[i] : 0;
+      double cos = dot(vector(view), normals.m.at(i));
+      wi.set(i, reflect(vector(view), normals.m.at(i)));
+      solid_angle[i] = cos > 0 ? 4 * cos * normals.solid_angle[i] : 0;
     }
     evaluate_reflection(wi.size(), {view.x, view.y, view.z}, wi.in(), {r.x, r.y}, value.out(), options);
   }
@@ -119,7 +119,6 @@ TEST(ChiSquare, OfReflectedDirections) {
   // Fine enough for the jump at the horizon to cost less than the samples scatter.
   constexpr int kSub = 192, kSubTurns = 40;
   double tests = double(std::size(kRoughness) * std::size(kViews) * 6), least = 1;
-  std::vector<float> u1(kSamples), u2(kSamples);
   for (const Roughness& r : kRoughness)
     for (const View& view : kViews)
       for (bool bounded : {false, true}) {
@@ -127,32 +126,26 @@ TEST(ChiSquare, OfReflectedDirections) {
         options.bounded = bounded;
         // Rounding wi to float smears directions by 2^-25, and normals by that over 2 wo.wm.
         if (r.x < 0.01f && view.z < 0.1f) continue;
-        Reflections grid(view, r, options, kRings * kSub, kSectors * kSubTurns);
+        Reflections reflected(view, r, options, NormalGrid(diagonal(r), kSub, kSubTurns));
         std::vector<double> expected(kRings * kSectors + 1);
         double all = 0;
-        for (int i = 0; i < kRings * kSub; ++i)
-          for (int j = 0; j < kSectors * kSubTurns; ++j) {
-            auto at = std::size_t(i * kSectors * kSubTurns + j);
-            double share = grid.value.pdf[at] * grid.solid_angle[at];
-            expected[std::size_t(i / kSub * kSectors + j / kSubTurns)] += share * kSamples;
-            all += share;
-          }
+        for (std::size_t at = 0; at < reflected.wi.size(); ++at) {
+          double share = reflected.value.pdf[at] * reflected.solid_angle[at];
+          expected[reflected.normals.bin(at)] += share * kSamples;
+          all += share;
+        }
         // The midpoint rule sees the jump at the horizon to half a ring.
         EXPECT_LE(all, 1 + 1e-3) << r.name << " " << view.name << " " << bounded;
         expected.back() = std::max(0., 1 - all) * kSamples;
         for (int w = 0; w < 3; ++w) {
-          Random random(11, std::uint64_t(w) + (bounded ? 3 : 0));
-          for (std::size_t i = 0; i < kSamples; ++i) {
-            u1[i] = random.unit();
-            u2[i] = random.unit();
-          }
+          const Numbers u(kSamples, 11 + std::uint64_t(w) + (bounded ? 3 : 0));
           Samples sample(kSamples);
-          sample_reflection(kWarps[w], kSamples, {view.x, view.y, view.z}, {r.x, r.y}, {u1.data(), u2.data()},
-                            sample.reflection(), options);
+          sample_reflection(kWarps[w], kSamples, {view.x, view.y, view.z}, {r.x, r.y}, u.pairs(), sample.reflection(),
+                            options);
           std::vector<double> counts(expected.size());
           for (std::size_t i = 0; i < kSamples; ++i)
             if (sample.wi.z[i] > 0)
-              ++counts[bin_of_normal(unit(vector(view) + sample.wi.at(i)), alpha_of(r))];
+              ++counts[bin_of(unstretch(vector(view) + sample.wi.at(i), alpha_of(r)))];
             else
               ++counts.back();
           double p = p_value(counts, expected);
@@ -171,12 +164,8 @@ TEST(Bounded, ReachesEveryReflectionAboveTheHorizon) {
   double closest = 1e9;
   for (int i = 0; i < 2000000; ++i) {
     Alpha<double> alpha{random.log_uniform(1e-3, 3), random.log_uniform(1e-3, 3)};
-    auto direction = [&](double z) {
-      double phi = random.uniform(0, 2 * kPi<double>), s = std::sqrt(1 - z * z);
-      return Vec3<double>{s * std::cos(phi), s * std::sin(phi), z};
-    };
-    Vec3<double> wo = direction(random.below(2) ? random.uniform(0, 1) : random.log_uniform(1e-4, 1));
-    Vec3<double> wi = direction(random.below(2) ? random.uniform(0, 1) : random.log_uniform(1e-6, 1));
+    auto wo = random_direction(random, random.below(2) ? random.uniform(0, 1) : random.log_uniform(1e-4, 1));
+    auto wi = random_direction(random, random.below(2) ? random.uniform(0, 1) : random.log_uniform(1e-6, 1));
     if (random.below(4) == 0) {  // the corner of the bound: forward along the view, at the horizon
       double s = std::sqrt((1 - wi.z * wi.z) / (1 - wo.z * wo.z));
       wi = {wo.x * s, wo.y * s, wi.z};
@@ -198,10 +187,7 @@ TEST(Brdf, IsReciprocal) {
   std::vector<float> ax(kCount), ay(kCount);
   for (std::size_t i = 0; i < kCount; ++i) {
     Random random(13, i);
-    for (auto* d : {&a, &b}) {
-      double z = random.log_uniform(1e-3, 1), phi = random.uniform(0, 7);
-      d->set(i, Vec3<double>{std::sqrt(1 - z * z) * std::cos(phi), std::sqrt(1 - z * z) * std::sin(phi), z});
-    }
+    for (auto* d : {&a, &b}) d->set(i, random_direction(random, random.log_uniform(1e-3, 1)));
     ax[i] = float(random.log_uniform(1e-3, 1));
     ay[i] = float(random.log_uniform(1e-3, 1));
   }
@@ -222,23 +208,18 @@ TEST(Brdf, IsReciprocal) {
 // No more light leaves than comes.
 TEST(Brdf, AlbedoIsAtMostOneAndTheMeanWeight) {
   constexpr std::size_t kSamples = std::size_t(1) << 18;
-  std::vector<float> u1(kSamples), u2(kSamples);
-  for (std::size_t i = 0; i < kSamples; ++i) {
-    Random random(14, i);
-    u1[i] = random.unit();
-    u2[i] = random.unit();
-  }
+  const Numbers u(kSamples, 14);
   for (const Roughness& r : kRoughness)
     for (const View& view : kViews)
       for (Masking masking : {Masking::height_correlated, Masking::separable})
         for (bool bounded : {false, true}) {
           ReflectionOptions options{masking, bounded};
-          Reflections grid(view, r, options, 400, 800);
+          Reflections grid(view, r, options, NormalGrid(vector(view), alpha_of(r), 400, 800));
           double albedo = 0;
           for (std::size_t i = 0; i < grid.wi.size(); ++i) albedo += grid.value.f_cos[i] * grid.solid_angle[i];
           EXPECT_LE(albedo, 1 + 1e-4);
           Samples sample(kSamples);
-          sample_reflection(Warp::spherical_cap, kSamples, {view.x, view.y, view.z}, {r.x, r.y}, {u1.data(), u2.data()},
+          sample_reflection(Warp::spherical_cap, kSamples, {view.x, view.y, view.z}, {r.x, r.y}, u.pairs(),
                             sample.reflection(), options);
           double sum = 0, squares = 0;
           for (float w : sample.weight) {

@@ -30,6 +30,9 @@ struct Directions {
   }
 };
 
+inline Vec3<double> direction_of(double theta, double phi) {
+  return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+}
 /// A direction of this height.
 inline Vec3<double> random_direction(reference::Random& random, double z) {
   double phi = random.uniform(0, 2 * kPi<double>), s = std::sqrt((1 - z) * (1 + z));

@@ -65,8 +65,9 @@ struct Operation {
 
 /// The rows. To add one, see operations.cpp.
 const std::vector<Operation>& operations();
-/// The row of this name, which must be there.
+/// The row of this name, which must be there; or a null pointer if there is none.
 const Operation& operation(const std::string& name);
+const Operation* find_operation(const std::string& name);
 /// By their names, the row that evaluates the samples of a row, and the one whose normals its samples have; or null.
 const Operation* evaluation_of(const Operation& row);
 const Operation* normals_of(const Operation& row);
