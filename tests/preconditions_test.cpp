@@ -3,17 +3,63 @@
 
 #include <gtest/gtest.h>
 
-#include <vndf/ellipsoid.h>
+#include "support/operations.h"
 
-namespace vndf {
+namespace vndf::testing {
 namespace {
 
 constexpr std::size_t kCount = 4;
 // A count whose columns no address space holds, and one that wraps as bytes.
 constexpr std::size_t kImpossible[] = {SIZE_MAX, SIZE_MAX / 4 + 2, std::size_t(PTRDIFF_MAX) / sizeof(float) + 1};
 
-struct Preconditions : ::testing::Test {
-  float columns[9][kCount] = {};
+template <class F>
+void expect_assertion(F f) {
+  EXPECT_DEATH(f(), "ssertion");
+}
+
+/// A row with constants for its inputs, and all of its outputs.
+struct Call {
+  const Operation& row;
+  std::vector<Column> in;
+  std::vector<std::vector<float>> columns;
+  std::vector<float*> out;
+
+  explicit Call(const Operation& row_)
+      : row(row_), in(row.inputs.size(), 0.5f), columns(row.outputs.size(), std::vector<float>(kCount, -7.f)) {
+    for (auto& column : columns) out.push_back(column.data());
+  }
+  void operator()(std::size_t count = kCount) const { row.run(count, in.data(), out.data()); }
+};
+
+TEST(Preconditions, Outputs) {
+  for (const Operation& row : operations()) {
+    SCOPED_TRACE(row.name);
+    for (std::size_t c = 0; c < row.outputs.size(); ++c) {
+      Call call(row);
+      call.out[c] = nullptr;
+      if (row.outputs[c].optional)
+        call();
+      else
+        expect_assertion(call);
+    }
+  }
+}
+
+TEST(Preconditions, Counts) {
+  for (const Operation& row : operations()) {
+    SCOPED_TRACE(row.name);
+    Call call(row);
+    for (std::size_t count : kImpossible) expect_assertion([&] { call(count); });
+    // Nothing is written, nor needed, for a count of 0.
+    call(0);
+    for (const auto& column : call.columns) EXPECT_EQ(column[0], -7);
+    call.out.assign(call.out.size(), nullptr);
+    call(0);
+  }
+}
+
+TEST(Preconditions, Enumerators) {
+  float columns[6][kCount];
   const Columns3 wo{0.6f, 0.f, 0.8f};
   const Columns2 alpha{0.3f, 0.3f}, u{0.5f, 0.5f};
   const Ellipsoid ellipsoid{alpha, 0.1f, 0.2f, 0.3f};
@@ -21,14 +67,6 @@ struct Preconditions : ::testing::Test {
   const ReflectionSamples reflection{out, columns[3], columns[4]};
   const DielectricSamples dielectric{out, columns[3], columns[4], columns[5]};
   const Evaluations values{columns[0], columns[1]};
-
-  template <class F>
-  static void expect_assertion(F f) {
-    EXPECT_DEATH(f(), "ssertion");
-  }
-};
-
-TEST_F(Preconditions, Enumerators) {
   auto warp = static_cast<Warp>(7);
   auto masking = static_cast<Masking>(2);
   expect_assertion([&] { sample_normals(warp, kCount, wo, alpha, u, out); });
@@ -46,40 +84,5 @@ TEST_F(Preconditions, Enumerators) {
   expect_assertion([&] { evaluate_dielectric(kCount, wo, wo, alpha, 1.5f, values, masking); });
 }
 
-TEST_F(Preconditions, Outputs) {
-  float* const none = nullptr;
-  expect_assertion([&] { sample_normals(Warp::polar, kCount, wo, alpha, u, {columns[0], none, columns[1]}); });
-  expect_assertion([&] { sample_disk(DiskMap::polar, kCount, u, {none, columns[0]}); });
-  expect_assertion([&] { sample_reflection(Warp::polar, kCount, wo, alpha, u, {out, none, columns[3]}); });
-  expect_assertion([&] { sample_reflection(Warp::polar, kCount, wo, ellipsoid, u, {out, columns[3], none}); });
-  expect_assertion([&] { evaluate_reflection(kCount, wo, wo, alpha, {columns[0], none}); });
-  expect_assertion([&] { pdf_normals(kCount, wo, wo, alpha, none); });
-  expect_assertion([&] {
-    sample_dielectric(Warp::polar, kCount, wo, alpha, 1.5f, wo, {out, columns[3], columns[4], none});
-  });
-  expect_assertion([&] { evaluate_dielectric(kCount, wo, wo, Shape(), 1.5f, {none, columns[0]}); });
-}
-
-TEST_F(Preconditions, Counts) {
-  for (std::size_t count : kImpossible) {
-    expect_assertion([&] { sample_normals(Warp::polar, count, wo, alpha, u, out); });
-    expect_assertion([&] { sample_disk(DiskMap::polar, count, u, {columns[0], columns[1]}); });
-    expect_assertion([&] { sample_reflection(Warp::polar, count, wo, alpha, u, reflection); });
-    expect_assertion([&] { evaluate_reflection(count, wo, wo, alpha, values); });
-    expect_assertion([&] { pdf_normals(count, wo, wo, ellipsoid, columns[0]); });
-    expect_assertion([&] { sample_dielectric(Warp::polar, count, wo, alpha, 1.5f, wo, dielectric); });
-    expect_assertion([&] { evaluate_dielectric(count, wo, wo, alpha, 1.5f, values); });
-  }
-}
-
-// Nothing is written for a count of 0, nor where an output that is not wanted would be.
-TEST_F(Preconditions, AreNoMoreThanThose) {
-  const Out3 nowhere{nullptr, nullptr, nullptr};
-  sample_normals(Warp::polar, 0, wo, alpha, u, nowhere);
-  evaluate_reflection(0, wo, wo, alpha, {nullptr, nullptr});
-  sample_reflection(Warp::polar, kCount, wo, alpha, u, reflection);
-  EXPECT_GT(columns[3][kCount - 1], 0);
-}
-
 }  // namespace
-}  // namespace vndf
+}  // namespace vndf::testing

@@ -9,7 +9,7 @@ root=$1 deb=$2 hosts=$3 expected=$4
 work=$root/tmp/vndf_host
 rm -rf "$work" && mkdir -p "$work"
 trap 'rm -rf "$work"; chroot "$root" dpkg --purge libvndf-dev >/dev/null 2>&1' EXIT
-cp -r "$hosts" "$work/hosts" && cp "$deb" "$work/vndf.deb" && cp "$expected" "$work/expected.txt"
+cp -r "$hosts" "$work/hosts" && cp -r "$hosts/../support" "$work/support" && cp "$deb" "$work/vndf.deb" && cp "$expected" "$work/expected.txt"
 
 files() { (cd "$root" && find usr etc opt var/lib/dpkg/info | LC_ALL=C sort); }
 files >"$work/before"

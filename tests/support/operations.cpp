@@ -1,7 +1,7 @@
 // Each public function is spelled once, for any kind of surface; then come the warps, surfaces and options there are.
 // What is new in the library (a function, an option, an optional output, a surface) is added here, and golden_hashes.h
 // gets the lines that golden_test prints. The other suites follow the table.
-#include "support/operations.h"
+#include "operations.h"  // beside this file: hosts have no path to it
 
 #include <cstdlib>
 
