@@ -40,7 +40,6 @@ std::size_t sample_count() {
 
 /// A warp and an index of hard_cases().
 using Row = std::tuple<Warp, std::size_t>;
-const char* const kWarps[] = {"polar", "concentric", "spherical_cap"};
 
 class Accuracy : public ::testing::TestWithParam<Row> {
  protected:
@@ -61,11 +60,11 @@ class Accuracy : public ::testing::TestWithParam<Row> {
 };
 
 std::string name(const ::testing::TestParamInfo<Row>& info) {
-  return std::string(kWarps[int(std::get<0>(info.param))]) + "_" +
+  return std::string(kWarpNames[int(std::get<0>(info.param))]) + "_" +
          reference::hard_cases()[std::get<1>(info.param)].name;
 }
 INSTANTIATE_TEST_SUITE_P(, Accuracy,
-                         ::testing::Combine(::testing::Values(Warp::polar, Warp::concentric, Warp::spherical_cap),
+                         ::testing::Combine(::testing::ValuesIn(kWarps),
                                             ::testing::Range(std::size_t(0), reference::hard_cases().size())),
                          name);
 
@@ -88,7 +87,7 @@ TEST_P(Accuracy, Normals) {
   if (hard_case().no_visible_normal) return;
 
   std::printf("%s %s: mean %.2f, p99.9 %.2f, max %.2f eps; slope %.2g (resolved %.2g); norm %.2f eps\n",
-              kWarps[int(warp())], hard_case().name, errors.mean, errors.p999, errors.max, errors.max_slope,
+              kWarpNames[int(warp())], hard_case().name, errors.mean, errors.p999, errors.max, errors.max_slope,
               errors.max_resolved_slope, errors.max_norm);
   EXPECT_LE(oracle.uncertainty, reference::kEps / 16) << "the oracle itself";
   EXPECT_LE(errors.mean, bounds().mean);

@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "reference/errors.h"
+#include "support/operations.h"
 #include "support/statistics.h"
 
 namespace vndf::testing {
@@ -146,12 +147,11 @@ using Parameters = std::tuple<Warp, int, int>;
 class Density : public ::testing::TestWithParam<Parameters> {};
 
 std::string name(const ::testing::TestParamInfo<Parameters>& info) {
-  static const char* const warps[] = {"polar", "concentric", "spherical_cap"};
   const auto& [warp, alpha, wo] = info.param;
-  return std::string(warps[int(warp)]) + "_" + kRoughness[alpha].name + "_" + kViews[wo].name;
+  return std::string(kWarpNames[int(warp)]) + "_" + kRoughness[alpha].name + "_" + kViews[wo].name;
 }
 INSTANTIATE_TEST_SUITE_P(, Density,
-                         ::testing::Combine(::testing::Values(Warp::polar, Warp::concentric, Warp::spherical_cap),
+                         ::testing::Combine(::testing::ValuesIn(kWarps),
                                             ::testing::Range(0, int(std::size(kRoughness))),
                                             ::testing::Range(0, int(std::size(kViews)))),
                          name);

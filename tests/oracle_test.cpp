@@ -5,6 +5,7 @@
 
 #include "reference/errors.h"
 #include "reference/quad.h"
+#include "support/operations.h"
 
 namespace vndf::reference {
 namespace {
@@ -16,7 +17,7 @@ double distance(const OracleNormal& a, const OracleNormal& b) {
 // The estimate that decides which arithmetic is enough must hold.
 TEST(Oracle, LongDoubleIsAsGoodAsItSays) {
   constexpr std::size_t kCount = 1 << 12;
-  for (Warp warp : {Warp::polar, Warp::concentric, Warp::spherical_cap})
+  for (Warp warp : testing::kWarps)
     for (const HardCase& row : hard_cases()) {
       if (row.no_visible_normal) continue;
       Inputs in = generate(row, warp, kCount, 1);

@@ -62,8 +62,8 @@ inline std::uint64_t seed() {
   return setting("VNDF_SEED", 13);
 }
 
-constexpr Warp kWarps[] = {Warp::polar, Warp::concentric, Warp::spherical_cap};
-constexpr const char* kWarpNames[] = {"polar", "concentric", "spherical_cap"};
+using testing::kWarpNames;
+using testing::kWarps;
 
 /// wo, the surface and u of a row, by columns: 3 + Surface::kInputs + 2.
 template <class Surface>

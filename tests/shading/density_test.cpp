@@ -239,15 +239,6 @@ using R = long double;
 using P2 = std::array<R, 2>;
 constexpr R kStep = 1e-6L;
 
-P2 polar(const P2& u) {
-  R r = std::sqrt(u[0]), phi = 2 * kPi<R> * u[1];
-  return {r * std::cos(phi), r * std::sin(phi)};
-}
-P2 concentric(const P2& u) {
-  R a = 2 * u[0] - 1, b = 2 * u[1] - 1;
-  if (std::fabs(a) > std::fabs(b)) return {a * std::cos(kPi<R> * b / (4 * a)), a * std::sin(kPi<R> * b / (4 * a))};
-  return {b * std::sin(kPi<R> * a / (4 * b)), b * std::cos(kPi<R> * a / (4 * b))};
-}
 P2 squish(const P2& t, R z) {
   R s = (1 + z) / 2;
   return {t[0], (1 - s) * std::sqrt(1 - t[0] * t[0]) + s * t[1]};
@@ -303,7 +294,10 @@ TEST(Jacobian, OfEveryStageTimesTheDensityIsOne) {
     if (std::fabs(std::fabs(a) - std::fabs(b)) < 1e-4L || std::fabs(a) + std::fabs(b) < 1e-3L) continue;
 
     bool is_polar = i % 2;
-    auto disk = [&](const P2& p) { return is_polar ? polar(p) : concentric(p); };
+    auto disk = [&](const P2& p) {
+      auto t = ellipsoid::disk_point(is_polar ? Warp::polar : Warp::concentric, p[0], p[1]);
+      return P2{t.t1, t.t2};
+    };
     P2 t = disk(u);
     ASSERT_TRUE(check(0, area_ratio(disk, u), kPi<R>));
     R s = (1 + vh.z) / 2;

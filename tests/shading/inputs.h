@@ -7,6 +7,7 @@
 
 #include "reference/random.h"
 #include "shading/model.h"
+#include "support/operations.h"
 
 namespace vndf::shading {
 
@@ -71,7 +72,7 @@ struct Values {
   Evaluations out() { return {f_cos.data(), pdf.data()}; }
 };
 
-constexpr Warp kWarps[] = {Warp::polar, Warp::concentric, Warp::spherical_cap};
-constexpr const char* kWarpNames[] = {"polar", "concentric", "spherical_cap"};
+using testing::kWarpNames;
+using testing::kWarps;
 
 }  // namespace vndf::shading
