@@ -49,10 +49,6 @@ Table filled(const Operation& operation, std::size_t count, std::uint64_t seed, 
   return table;
 }
 
-Table any_inputs(const Operation& operation, std::size_t count, std::uint64_t seed) {
-  return filled(operation, count, seed, [](Random& random, Kind) { return any_bits(random); });
-}
-
 std::vector<Table> hard_tables(const Operation& operation, std::size_t count, std::uint64_t seed) {
   std::vector<Table> tables;
   for (const auto& row : reference::hard_cases()) tables.push_back(hard_inputs(operation, row, count, seed));
@@ -125,11 +121,15 @@ Table bad_inputs(const Operation& operation, std::size_t count, std::uint64_t se
   return filled(operation, count, seed, bad_value);
 }
 
+Table random_bits(const Operation& operation, std::size_t count, std::uint64_t seed) {
+  return filled(operation, count, seed, [](Random& random, Kind) { return any_bits(random); });
+}
+
 Table mixed_inputs(const Operation& operation, std::size_t count, std::uint64_t seed) {
   std::size_t each = count / (reference::hard_cases().size() + 2) + 1;
   std::vector<Table> tables = hard_tables(operation, each, seed);
   tables.push_back(bad_inputs(operation, each, seed));
-  tables.push_back(any_inputs(operation, each, seed));
+  tables.push_back(random_bits(operation, each, seed));
   return dealt(tables, count);
 }
 

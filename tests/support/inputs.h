@@ -15,6 +15,7 @@ Table good_inputs(const Operation& operation, std::size_t count, std::uint64_t s
 /// Values that the library has to survive, mixed with good ones: zeros, infinities, NaN, subnormals, any 32 bits.
 float bad_value(reference::Random& random, Kind kind);
 Table bad_inputs(const Operation& operation, std::size_t count, std::uint64_t seed);
+Table random_bits(const Operation& operation, std::size_t count, std::uint64_t seed);
 
 /// Hard cases, bad values, and any bits, dealt in turn.
 Table mixed_inputs(const Operation& operation, std::size_t count, std::uint64_t seed);
