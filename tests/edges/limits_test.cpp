@@ -29,24 +29,16 @@ Table pairs(bool ends) {
   return u;
 }
 
-/// The outputs of a row of plain GGX for one view and surface, and many random numbers.
-class Outputs {
+/// The results of a row of plain GGX for one view and surface, and many random numbers.
+class Outputs : public Results {
  public:
   Outputs(const Operation& row, const Table& u, const Vec& wo, float alpha_x, float alpha_y)
-      : row_(row), table_(row.outputs.size(), std::vector<float>(u[0].size())) {
-    const Column in[] = {wo.x, wo.y, wo.z, alpha_x, alpha_y, u[0].data(), u[1].data()};
-    row.run(size(), in, results(table_).data());
+      : Results(row, u, {wo.x, wo.y, wo.z, alpha_x, alpha_y, u[0].data(), u[1].data()}) {}
+  double number(const char* name, std::size_t i) const { return column(name)[i]; }
+  Vec vector(const char* name, std::size_t i) const {
+    auto v = Results::vector(name, i);
+    return {v[0], v[1], v[2]};
   }
-  std::size_t size() const { return table_[0].size(); }
-  double number(const char* name, std::size_t i) const { return table_[row_.output(name)][i]; }
-  Vec vector(const std::string& name, std::size_t i) const {
-    std::size_t c = row_.output(name + ".x");
-    return {table_[c][i], table_[c + 1][i], table_[c + 2][i]};
-  }
-
- private:
-  const Operation& row_;
-  Table table_;
 };
 
 /// f(row) for the rows of plain GGX of this function, on every set.

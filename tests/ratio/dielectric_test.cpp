@@ -9,23 +9,6 @@ namespace {
 
 using reference::Refraction;
 
-/// The columns that sample_dielectric writes.
-struct Outputs {
-  std::vector<float> x, y, z, pdf, weight, side;
-
-  explicit Outputs(std::size_t n) : x(n), y(n), z(n), pdf(n), weight(n), side(n) {}
-  DielectricSamples out() { return {{x.data(), y.data(), z.data()}, pdf.data(), weight.data(), side.data()}; }
-};
-
-void sample(Warp warp, std::size_t n, const Columns3& wo, const Columns2& alpha, const Column& eta, const Columns3& u,
-            const DielectricSamples& out, Masking masking) {
-  sample_dielectric(warp, n, wo, alpha, eta, u, out, masking);
-}
-void sample(Warp warp, std::size_t n, const Columns3& wo, const Ellipsoid& ellipsoid, const Column& eta,
-            const Columns3& u, const DielectricSamples& out, Masking) {
-  sample_dielectric(warp, n, wo, ellipsoid, eta, u, out);
-}
-
 template <class Surface, Warp warp>
 struct Dielectric {
   static constexpr std::size_t kEta = 3 + Surface::kInputs, kU = kEta + 1, kInputs = kU + 3, kResults = 5;
@@ -42,19 +25,16 @@ struct Dielectric {
   }
 
   static std::vector<Founds> run(const Table& in) {
-    std::size_t count = in[0].size();
-    auto c = testing::columns(in);
-    Outputs of(count), separable(count);
-    for (Masking masking : {Masking::height_correlated, Masking::separable})
-      sample(warp, count, {c[0], c[1], c[2]}, Surface::of(&c[3]), c[kEta], {c[kU], c[kU + 1], c[kU + 2]},
-             (masking == Masking::separable ? separable : of).out(), masking);
+    std::string name = std::string("dielectric") + Surface::kName + "_" + kWarpNames[int(warp)];
+    Results of(name, in), separable(Surface::kByLunes ? name : name + "_separable", in);
     std::vector<Founds> found;
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < of.size(); ++i) {
+      auto wi = of.vector("wi", i);
       // Where the sign of wi.z decides, the density jumps.
-      bool leaves = height(in[2][i], of.side[i], of.z[i]) > 0;
-      float pdf = leaves && of.pdf[i] == 0 ? NAN : of.pdf[i];
-      found.push_back({Found{{of.x[i], of.y[i], of.z[i]}}, Found{{pdf}, leaves}, Found{{of.weight[i]}, leaves},
-                       Found{{separable.weight[i]}, leaves && !Surface::kByLunes}, Found{{of.side[i]}, false}});
+      bool leaves = height(in[2][i], of("side", i), wi[2]) > 0;
+      float pdf = leaves && of("pdf", i) == 0 ? NAN : of("pdf", i);
+      found.push_back({Found{wi}, Found{{pdf}, leaves}, Found{{of("weight", i)}, leaves},
+                       Found{{separable("weight", i)}, leaves && !Surface::kByLunes}, Found{{of("side", i)}, false}});
     }
     return found;
   }

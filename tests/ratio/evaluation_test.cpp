@@ -9,38 +9,6 @@ namespace {
 using reference::Random;
 using reference::Refraction;
 
-template <class Columns>
-std::vector<float*> pointers(Columns& columns) {
-  std::vector<float*> result;
-  for (auto& column : columns) result.push_back(column.data());
-  return result;
-}
-
-/// The columns that evaluations write.
-struct Outputs {
-  std::vector<float> f_cos, pdf;
-
-  explicit Outputs(std::size_t n) : f_cos(n), pdf(n) {}
-  Evaluations out() { return {f_cos.data(), pdf.data()}; }
-};
-
-void evaluate(std::size_t n, const Columns3& wo, const Columns3& wi, const Columns2& alpha, const Evaluations& out,
-              const ReflectionOptions& options) {
-  evaluate_reflection(n, wo, wi, alpha, out, options);
-}
-void evaluate(std::size_t n, const Columns3& wo, const Columns3& wi, const Ellipsoid& ellipsoid, const Evaluations& out,
-              const ReflectionOptions&) {
-  evaluate_reflection(n, wo, wi, ellipsoid, out);
-}
-void evaluate_across(std::size_t n, const Columns3& wo, const Columns3& wi, const Columns2& alpha, const Column& eta,
-                     const Evaluations& out, Masking masking) {
-  evaluate_dielectric(n, wo, wi, alpha, eta, out, masking);
-}
-void evaluate_across(std::size_t n, const Columns3& wo, const Columns3& wi, const Ellipsoid& ellipsoid,
-                     const Column& eta, const Evaluations& out, Masking) {
-  evaluate_dielectric(n, wo, wi, ellipsoid, eta, out);
-}
-
 template <std::size_t inputs>
 Vec view(const std::array<Quad, inputs>& in) {
   return {in[0], in[1], in[2]};
@@ -49,10 +17,14 @@ template <std::size_t inputs>
 Vec other(const std::array<Quad, inputs>& in) {
   return {in[3], in[4], in[5]};
 }
-std::vector<std::array<Found, 3>> found_of(const Outputs& of, const Outputs& separable, bool both) {
+template <class Surface>
+std::vector<std::array<Found, 3>> evaluated(const std::string& function, const std::string& options, const Table& in) {
+  std::string name = function + Surface::kName + options;
+  Results of(name, in), separable(Surface::kByLunes ? name : name + "_separable", in);
   std::vector<std::array<Found, 3>> found;
-  for (std::size_t i = 0; i < of.pdf.size(); ++i)
-    found.push_back({Found{{of.pdf[i]}}, Found{{of.f_cos[i]}}, Found{{separable.f_cos[i]}, both}});
+  for (std::size_t i = 0; i < of.size(); ++i)
+    found.push_back(
+        {Found{{of("pdf", i)}}, Found{{of("f_cos", i)}}, Found{{separable("f_cos", i)}, !Surface::kByLunes}});
   return found;
 }
 std::array<Exact, 3> exact_of(const exact::Evaluation& value, bool compared = true) {
@@ -74,13 +46,7 @@ struct Reflection {
     return is_nearly_unit(&in[0]) && is_nearly_unit(&in[3]) && in[2] >= 0 && in[5] > 0 && is_surface<Surface>(&in[6]);
   }
   static std::vector<Founds> run(const Table& in) {
-    std::size_t count = in[0].size();
-    auto c = testing::columns(in);
-    Outputs of(count), separable(count);
-    for (Masking masking : {Masking::height_correlated, Masking::separable})
-      evaluate(count, {c[0], c[1], c[2]}, {c[3], c[4], c[5]}, Surface::of(&c[6]),
-               (masking == Masking::separable ? separable : of).out(), {masking, bounded});
-    return found_of(of, separable, !Surface::kByLunes);
+    return evaluated<Surface>("evaluate_reflection", bounded ? "_bounded" : "", in);
   }
   static std::array<Exact, kResults> exact(const std::array<Quad, kInputs>& in, const Founds&) {
     return exact_of(exact::evaluate_reflection(bounded, view(in), other(in), Surface::exact(&in[6])));
@@ -99,12 +65,9 @@ struct Normals {
     return is_nearly_unit(&in[0]) && is_nearly_unit(&in[3]) && in[5] >= 0 && is_surface<Surface>(&in[6]);
   }
   static std::vector<Founds> run(const Table& in) {
-    std::size_t count = in[0].size();
-    auto c = testing::columns(in);
-    std::vector<float> pdf(count);
-    pdf_normals(count, {c[0], c[1], c[2]}, {c[3], c[4], c[5]}, Surface::of(&c[6]), pdf.data());
+    Results of(std::string("pdf_normals") + Surface::kName, in);
     std::vector<Founds> found;
-    for (float value : pdf) found.push_back({Found{{value}}});
+    for (float value : of.column("pdf")) found.push_back({Found{{value}}});
     return found;
   }
   static std::array<Exact, kResults> exact(const std::array<Quad, kInputs>& in, const Founds&) {
@@ -124,15 +87,7 @@ struct Dielectric {
   static bool in_domain(const std::array<float, kInputs>& in) {
     return is_unit(&in[0]) && is_unit(&in[3]) && in[5] != 0 && is_surface<Surface>(&in[6]) && is_index(in[kEta]);
   }
-  static std::vector<Founds> run(const Table& in) {
-    std::size_t count = in[0].size();
-    auto c = testing::columns(in);
-    Outputs of(count), separable(count);
-    for (Masking masking : {Masking::height_correlated, Masking::separable})
-      evaluate_across(count, {c[0], c[1], c[2]}, {c[3], c[4], c[5]}, Surface::of(&c[6]), c[kEta],
-                      (masking == Masking::separable ? separable : of).out(), masking);
-    return found_of(of, separable, !Surface::kByLunes);
-  }
+  static std::vector<Founds> run(const Table& in) { return evaluated<Surface>("evaluate_dielectric", "", in); }
   static exact::Evaluation value(const std::array<Quad, kInputs>& in) {
     return exact::evaluate_dielectric(view(in), other(in), Surface::exact(&in[6]), in[kEta]);
   }
@@ -166,46 +121,41 @@ std::size_t pair_count() {
   return sample_count(Surface::kByLunes ? 10 : 11);
 }
 
-/// wo, another direction and the surface: sampled ones as `sample` writes them, which is given the columns of wo, of
-/// the surface and of u; every other one any.
-template <class Surface, class Sample>
-Table pairs(const HardCase& row, Views views, bool either_side, Sample sample) {
+/// wo, another direction and the surface: sampled ones, `vector` of a row of this function, and every other one any.
+/// eta, if there is any, goes to the sampling function and to the end.
+template <class Surface>
+Table pairs(const HardCase& row, Views views, const std::string& function, const std::string& vector,
+            const std::vector<float>& eta = {}) {
   Table in = sampling_inputs<Surface>(row, Warp::concentric, views, pair_count<Surface>());
-  std::size_t count = in[0].size();
-  Table others(3, std::vector<float>(count));
-  sample(count, testing::columns(in), pointers(others));
-  for (std::size_t i = 0; i < count; ++i) {
+  Table to_sample = in;
+  if (!eta.empty()) {
+    to_sample.insert(to_sample.end() - 2, eta);
+    to_sample.push_back(in[in.size() - 2]);
+  }
+  Results sampled(function + Surface::kName + "_concentric", to_sample);
+  Table others;
+  for (const char* axis : {".x", ".y", ".z"}) others.push_back(sampled.column(vector + axis));
+  for (std::size_t i = 0; i < sampled.size(); ++i) {
     Random random(seed() + 3, i);
     auto any = any_direction(random);
     for (std::size_t c = 0; c < 3 && i % 2; ++c) others[c][i] = any[c];
-    if (!either_side) others[2][i] = std::fabs(others[2][i]);
+    if (eta.empty()) others[2][i] = std::fabs(others[2][i]);
   }
   in.resize(in.size() - 2);
   in.insert(in.begin() + 3, others.begin(), others.end());
+  if (!eta.empty()) in.push_back(eta);
   return in;
 }
 
 template <class Surface, bool bounded>
 void measure_reflection(const char* what, const HardCase& row) {
-  auto sample = [](std::size_t n, const std::vector<Column>& c, const std::vector<float*>& wi) {
-    constexpr std::size_t u = 3 + Surface::kInputs;
-    std::vector<float> pdf(n), weight(n);
-    ReflectionSamples out{{wi[0], wi[1], wi[2]}, pdf.data(), weight.data()};
-    sample_reflection(Warp::concentric, n, {c[0], c[1], c[2]}, Surface::of(&c[3]), {c[u], c[u + 1]}, out);
-  };
-  Table in = pairs<Surface>(row, Views::unit_above, false, sample);
-  measure<Reflection<Surface, bounded>>(std::string(what) + " " + row.name, in);
+  measure<Reflection<Surface, bounded>>(std::string(what) + " " + row.name,
+                                        pairs<Surface>(row, Views::unit_above, "reflection", "wi"));
 }
 
 template <class Surface>
 void measure_normals(const char* what, const HardCase& row) {
-  auto sample = [](std::size_t n, const std::vector<Column>& c, const std::vector<float*>& wm) {
-    constexpr std::size_t u = 3 + Surface::kInputs;
-    sample_normals(Warp::concentric, n, {c[0], c[1], c[2]}, Surface::of(&c[3]), {c[u], c[u + 1]},
-                   {wm[0], wm[1], wm[2]});
-  };
-  Table in = pairs<Surface>(row, Views::unit, false, sample);
-  measure<Normals<Surface>>(std::string(what) + " " + row.name, in);
+  measure<Normals<Surface>>(std::string(what) + " " + row.name, pairs<Surface>(row, Views::unit, "normals", "wm"));
 }
 
 template <class Surface>
@@ -215,16 +165,8 @@ void measure_dielectric(const char* what, const HardCase& row, const Refraction&
     Random random(seed() + 2, i);
     eta[i] = float(refraction.eta(random));
   }
-  auto sample = [&](std::size_t n, const std::vector<Column>& c, const std::vector<float*>& wi) {
-    constexpr std::size_t u = 3 + Surface::kInputs;
-    std::vector<float> pdf(n), weight(n), side(n);
-    DielectricSamples out{{wi[0], wi[1], wi[2]}, pdf.data(), weight.data(), side.data()};
-    sample_dielectric(Warp::concentric, n, {c[0], c[1], c[2]}, Surface::of(&c[3]), eta.data(), {c[u], c[u + 1], c[u]},
-                      out);
-  };
-  Table in = pairs<Surface>(row, Views::unit, true, sample);
-  in.push_back(eta);
-  measure<Dielectric<Surface>>(std::string(what) + " " + refraction.name + " " + row.name, in);
+  measure<Dielectric<Surface>>(std::string(what) + " " + refraction.name + " " + row.name,
+                               pairs<Surface>(row, Views::unit, "dielectric", "wi", eta));
 }
 
 std::string name_of(const ::testing::TestParamInfo<HardCase>& info) {

@@ -20,12 +20,9 @@ struct Normals {
            in_unit_interval(in, 5);
   }
   static std::vector<Founds> run(const Table& in) {
-    std::size_t count = in[0].size();
-    std::vector<float> x(count), y(count), z(count);
-    auto c = testing::columns(in);
-    sample_normals(warp, count, {c[0], c[1], c[2]}, Plain::of(&c[3]), {c[5], c[6]}, {x.data(), y.data(), z.data()});
+    Results of(std::string("normals_") + kWarpNames[int(warp)], in);
     std::vector<Founds> found;
-    for (std::size_t i = 0; i < count; ++i) found.push_back({Found{{x[i], y[i], z[i]}}});
+    for (std::size_t i = 0; i < of.size(); ++i) found.push_back({Found{of.vector("wm", i)}});
     return found;
   }
   static std::array<Exact, kResults> exact(const std::array<Quad, kInputs>& in, const Founds&) {

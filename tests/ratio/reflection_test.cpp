@@ -6,29 +6,6 @@
 namespace vndf::ratio {
 namespace {
 
-/// The columns that sample_reflection writes.
-struct Outputs {
-  std::vector<float> wi_x, wi_y, wi_z, pdf, weight, wm_x, wm_y, wm_z, cos;
-
-  explicit Outputs(std::size_t n) : wi_x(n), wi_y(n), wi_z(n), pdf(n), weight(n), wm_x(n), wm_y(n), wm_z(n), cos(n) {}
-  ReflectionSamples out() {
-    return {{wi_x.data(), wi_y.data(), wi_z.data()},
-            pdf.data(),
-            weight.data(),
-            {wm_x.data(), wm_y.data(), wm_z.data()},
-            cos.data()};
-  }
-};
-
-void sample(Warp warp, std::size_t n, const Columns3& wo, const Columns2& alpha, const Columns2& u,
-            const ReflectionSamples& out, const ReflectionOptions& options) {
-  sample_reflection(warp, n, wo, alpha, u, out, options);
-}
-void sample(Warp warp, std::size_t n, const Columns3& wo, const Ellipsoid& ellipsoid, const Columns2& u,
-            const ReflectionSamples& out, const ReflectionOptions&) {
-  sample_reflection(warp, n, wo, ellipsoid, u, out);
-}
-
 template <class Surface, Warp warp, bool bounded>
 struct Reflection {
   static constexpr std::size_t kSurface = Surface::kInputs, kU = 3 + kSurface, kInputs = kU + 2, kResults = 6;
@@ -50,21 +27,18 @@ struct Reflection {
   }
 
   static std::vector<Founds> run(const Table& in) {
-    std::size_t count = in[0].size();
-    auto c = testing::columns(in);
-    Outputs of(count), separable(count);
-    for (Masking masking : {Masking::height_correlated, Masking::separable})
-      sample(warp, count, {c[0], c[1], c[2]}, Surface::of(&c[3]), {c[kU], c[kU + 1]},
-             (masking == Masking::separable ? separable : of).out(), {masking, bounded});
+    std::string name =
+        std::string("reflection") + Surface::kName + "_" + kWarpNames[int(warp)] + (bounded ? "_bounded" : "");
+    Results of(name, in), separable(Surface::kByLunes ? name : name + "_separable", in);
     std::vector<Founds> found;
-    for (std::size_t i = 0; i < count; ++i) {
-      bool above = in[2][i] >= 0, reflects = of.wi_z[i] > 0;
+    for (std::size_t i = 0; i < of.size(); ++i) {
+      auto wi = of.vector("wi", i);
+      bool above = in[2][i] >= 0, reflects = wi[2] > 0;
       // Where the sign of wi.z decides, the density jumps.
-      float pdf = above && reflects && of.pdf[i] == 0 ? NAN : of.pdf[i];
-      found.push_back({Found{{of.wi_x[i], of.wi_y[i], of.wi_z[i]}, above}, Found{{pdf}, above && reflects},
-                       Found{{of.weight[i]}, above && reflects},
-                       Found{{separable.weight[i]}, above && reflects && !Surface::kByLunes},
-                       Found{{of.wm_x[i], of.wm_y[i], of.wm_z[i]}}, Found{{of.cos[i]}}});
+      float pdf = above && reflects && of("pdf", i) == 0 ? NAN : of("pdf", i);
+      found.push_back({Found{wi, above}, Found{{pdf}, above && reflects}, Found{{of("weight", i)}, above && reflects},
+                       Found{{separable("weight", i)}, above && reflects && !Surface::kByLunes},
+                       Found{of.vector("wm", i)}, Found{{of("wo_dot_wm", i)}}});
     }
     return found;
   }

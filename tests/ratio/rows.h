@@ -64,6 +64,7 @@ inline std::uint64_t seed() {
 
 using testing::kWarpNames;
 using testing::kWarps;
+using testing::Results;
 
 /// wo, the surface and u of a row, by columns: 3 + Surface::kInputs + 2.
 template <class Surface>

@@ -1,8 +1,5 @@
-// Plain GGX and ellipsoids by one interface: the inputs that make a surface, what the library takes for them, and the
-// exact surface.
+// Plain GGX and ellipsoids by one interface: their name in the table of functions, their inputs, and the exact surface.
 #pragma once
-
-#include <vndf/ellipsoid.h>
 
 #include "reference/exact.h"
 #include "reference/random.h"
@@ -13,9 +10,9 @@ using exact::Quad;
 using reference::Random;
 
 struct Plain {
+  static constexpr const char* kName = "";
   static constexpr bool kByLunes = false;
   static constexpr std::size_t kInputs = 2;
-  static Columns2 of(const Column* in) { return {in[0], in[1]}; }
   static exact::Surface exact(const Quad* in) { return exact::plain(in[0], in[1]); }
   static void add_angles(Random&, float*) {}
 };
@@ -35,18 +32,18 @@ inline float any_angle(Random& random) {
 
 /// theta_z alone.
 struct Turned {
+  static constexpr const char* kName = "_turned";
   static constexpr bool kByLunes = true;
   static constexpr std::size_t kInputs = 3;
-  static Ellipsoid of(const Column* in) { return {{in[0], in[1]}, 0.f, 0.f, in[2]}; }
   static exact::Surface exact(const Quad* in) { return exact::ellipsoid(in[0], in[1], 0, 0, in[2]); }
   static void add_angles(Random& random, float* in) { in[2] = any_angle(random); }
 };
 
 /// All angles: every other one leans by up to half a radian, the others any way.
 struct Tilted {
+  static constexpr const char* kName = "_tilted";
   static constexpr bool kByLunes = true;
   static constexpr std::size_t kInputs = 5;
-  static Ellipsoid of(const Column* in) { return {{in[0], in[1]}, in[2], in[3], in[4]}; }
   static exact::Surface exact(const Quad* in) { return exact::ellipsoid(in[0], in[1], in[2], in[3], in[4]); }
   static void add_angles(Random& random, float* in) {
     bool leans = random.below(2);

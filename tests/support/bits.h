@@ -1,6 +1,7 @@
 // Tables of columns, evaluated and compared bit by bit, on every instruction set.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <string>
@@ -35,6 +36,28 @@ inline Table evaluate(const Operation& operation, const Table& in, const std::ve
 inline Table evaluate(const Operation& operation, const Table& in) {
   return evaluate(operation, in, columns(in));
 }
+
+/// What a row gives, by the names of its columns.
+class Results {
+ public:
+  Results(const Operation& row, const Table& in) : Results(row, evaluate(row, in)) {}
+  Results(const std::string& row, const Table& in) : Results(operation(row), in) {}
+  Results(const Operation& row, const Table& in, const std::vector<Column>& columns)
+      : Results(row, evaluate(row, in, columns)) {}
+
+  std::size_t size() const { return table_[0].size(); }
+  const std::vector<float>& column(const std::string& name) const { return table_[row_->output(name)]; }
+  float operator()(const std::string& name, std::size_t i) const { return column(name)[i]; }
+  std::array<float, 3> vector(const std::string& name, std::size_t i) const {
+    std::size_t c = row_->output(name + ".x");
+    return {table_[c][i], table_[c + 1][i], table_[c + 2][i]};
+  }
+
+ private:
+  explicit Results(const Operation& row, Table&& table) : row_(&row), table_(std::move(table)) {}
+  const Operation* row_;
+  Table table_;
+};
 
 /// Equal bits where not NaN, and NaN in the same places.
 inline bool same_bits(float a, float b) {
