@@ -16,8 +16,15 @@ if(vndf_xsimd_include_dir STREQUAL "/usr/include")
 endif()
 
 if(VNDF_BUILD_TESTS)
+  set(googletest_source /usr/src/googletest)  # Debian's libgtest-dev, for compilers that its library is not for
+  if(CMAKE_CROSSCOMPILING AND EXISTS ${googletest_source}/CMakeLists.txt)
+    add_subdirectory(${googletest_source} ${PROJECT_BINARY_DIR}/googletest EXCLUDE_FROM_ALL)
+    set(GTest_FOUND TRUE)
+  else()
+    find_package(GTest QUIET)
+  endif()
+  find_package(Boost QUIET)
   foreach(package GTest Boost)
-    find_package(${package} QUIET)
     if(NOT ${package}_FOUND)
       message(FATAL_ERROR "${package} was not found, which the tests need. Run 'sh cmake/deps.sh', or configure with "
                           "-DVNDF_BUILD_TESTS=OFF.")

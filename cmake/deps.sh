@@ -1,16 +1,19 @@
 #!/bin/sh
 # Installs what vndf builds with on Debian and Ubuntu; elsewhere says what to install. Does nothing where all is there.
 # --wavefront: what the renderer of bench/wavefront builds with, as well.
+# --emulators: what ARM and old processors are tested with, as well.
 set -e
 packages="g++ make cmake ninja-build pkg-config libxsimd-dev libgtest-dev libboost-dev libbenchmark-dev libcli11-dev
-  nlohmann-json3-dev  python3-matplotlib python3-pandas python3-jinja2"
+  nlohmann-json3-dev python3-matplotlib python3-pandas python3-jinja2"
 
-case "${1:-}" in
-  "") ;;
-  --wavefront) packages="$packages libembree-dev libtbb-dev libopenexr-dev libpng-dev libtinyobjloader-dev
-  openimageio-tools" ;;
-  *) echo "usage: sh cmake/deps.sh [--wavefront]" >&2; exit 2 ;;
-esac
+for option; do
+  case "$option" in
+    --wavefront) packages="$packages libembree-dev libtbb-dev libopenexr-dev libpng-dev libtinyobjloader-dev
+      openimageio-tools" ;;
+    --emulators) packages="$packages g++-aarch64-linux-gnu qemu-user" ;;
+    *) echo "usage: sh cmake/deps.sh [--wavefront] [--emulators]" >&2; exit 2 ;;
+  esac
+done
 
 if ! command -v apt-get >/dev/null; then
   cat >&2 <<'END'

@@ -9,16 +9,21 @@ list(JOIN vndf_exact " " vndf_exact)
 set(vndf_exact "SHELL:${vndf_exact}" "$<$<CXX_COMPILER_ID:GNU>:SHELL:-fno-fast-math -fno-single-precision-constant>"
     "$<$<CXX_COMPILER_ID:Clang,AppleClang>:SHELL:-fno-approx-func -fdenormal-fp-math=ieee>")
 
-# Code for any x86-64, whatever -march=native and the like say; an instruction set's own flags come after it. The later
-# -march wins. -mno-sse3 takes away every set above SSE2 that was asked for by name, the others what compilers use
-# unasked.
+# Code for any processor of its architecture, whatever -march=native and the like say; an instruction set's own flags come
+# after it. The later -march wins. On x86 -mno-sse3 takes away every set above SSE2 that was asked for by name, the others
+# what compilers use unasked.
+set(vndf_architecture "")
 set(vndf_any_processor "")
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
+  set(vndf_architecture X86)
   set(vndf_any_processor -march=x86-64 -mtune=generic -mfpmath=sse -mno-sse3 -mno-bmi -mno-bmi2 -mno-lzcnt -mno-popcnt
       -mno-movbe -mno-tbm -mno-gfni)
-  list(JOIN vndf_any_processor " " vndf_any_processor)
-  set(vndf_any_processor "SHELL:${vndf_any_processor}")
+elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64|ARM64)$")
+  set(vndf_architecture ARM)
+  set(vndf_any_processor -march=armv8-a -mcpu=generic)
 endif()
+list(JOIN vndf_any_processor " " vndf_any_processor)
+set(vndf_any_processor "SHELL:${vndf_any_processor}")
 
 # Of a source file of the library. No link-time optimisation: an inline function of one instruction set could be inlined
 # into, or kept for, another, and no other compiler could link the archive.

@@ -28,16 +28,14 @@ endfunction()
 vndf_lanes_objects(make_shape src/make_shape.cpp)
 
 # The instruction sets of the library, slowest first: one row each, and nothing else names them.
-#   vndf_isa(name BATCH vector-type VECTORS n [CPU feature...] [FLAGS flag...])
+#   vndf_isa(name [ARCHITECTURE X86|ARM] BATCH vector-type VECTORS n [CPU feature...] [FLAGS flag...])
+# ARCHITECTURE: where the row is; without, everywhere.
 # VECTORS: how many a kernel takes at once: what the registers hold.
 # CPU: what __builtin_cpu_supports must affirm; GCC's and Clang's run-times ask the operating system as well as the
 # processor. Compiles the kernels into the library with FLAGS and adds the name to isa_rows.h, which dispatch reads.
 function(vndf_isa name)
-  cmake_parse_arguments(PARSE_ARGV 1 row "" "BATCH;VECTORS" "CPU;FLAGS")
-  if(row_FLAGS AND NOT CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
-    return()
-  endif()
-  if(NOT name IN_LIST VNDF_ISAS)
+  cmake_parse_arguments(PARSE_ARGV 1 row "" "ARCHITECTURE;BATCH;VECTORS" "CPU;FLAGS")
+  if(NOT name IN_LIST VNDF_ISAS OR NOT "${row_ARCHITECTURE}" MATCHES "^(${vndf_architecture})?$")
     return()
   endif()
 
@@ -67,16 +65,19 @@ function(vndf_isa name)
   set_property(GLOBAL APPEND PROPERTY vndf_isas ${name})
 endfunction()
 
-set(VNDF_ISAS scalar sse42 avx2 avx512 CACHE STRING "The instruction sets to compile; scalar must be one of them")
+set(VNDF_ISAS scalar sse42 avx2 avx512 neon CACHE STRING
+    "The instruction sets to compile, those of other architectures left out; scalar must be one of them")
 if(NOT scalar IN_LIST VNDF_ISAS)
   message(FATAL_ERROR "VNDF_ISAS is \"${VNDF_ISAS}\": scalar must be among them, for processors that have no other")
 endif()
 
 vndf_isa(scalar BATCH float VECTORS 1)
-vndf_isa(sse42 BATCH xsimd::batch<float,xsimd::sse4_2> VECTORS 2 CPU sse4.2 FLAGS -msse4.2)
-vndf_isa(avx2 BATCH xsimd::batch<float,xsimd::avx2> VECTORS 2 CPU avx2 FLAGS -mavx2)
-vndf_isa(avx512 BATCH xsimd::batch<float,xsimd::avx512bw> VECTORS 4
+vndf_isa(sse42 ARCHITECTURE X86 BATCH xsimd::batch<float,xsimd::sse4_2> VECTORS 2 CPU sse4.2 FLAGS -msse4.2)
+vndf_isa(avx2 ARCHITECTURE X86 BATCH xsimd::batch<float,xsimd::avx2> VECTORS 2 CPU avx2 FLAGS -mavx2)
+vndf_isa(avx512 ARCHITECTURE X86 BATCH xsimd::batch<float,xsimd::avx512bw> VECTORS 4
          CPU avx512f avx512cd avx512dq avx512bw FLAGS -mavx512f -mavx512cd -mavx512dq -mavx512bw)
+# Every 64-bit ARM has it. VECTORS are those of the other set with 32 registers: nobody has measured it.
+vndf_isa(neon ARCHITECTURE ARM BATCH xsimd::batch<float,xsimd::neon64> VECTORS 4)
 
 get_property(rows GLOBAL PROPERTY vndf_isa_rows)
 get_property(names GLOBAL PROPERTY vndf_isa_names)

@@ -5,7 +5,7 @@
 // alpha_y. wo points away from the surface, towards the viewer. All values are binary32.
 //
 // Guarantees, of every function that takes columns:
-//  - Identical bits: scalar, SSE4.2, AVX2 and AVX-512 agree in every bit of every result that is not NaN, and have
+//  - Identical bits: scalar, SSE4.2, AVX2, AVX-512, NEON agree in every bit of every result that is not NaN, and have
 //    NaN in the same places. Only + - * / sqrt, comparisons and bit operations are used, each rounded as IEEE 754 says,
 //    so any other IEEE 754 machine agrees too. Neither the flags of the program reach the bits, -ffast-math among
 //    them, nor the modes of the calling thread: rounding, FTZ, DAZ and traps are C++'s own for the call.
@@ -249,7 +249,7 @@ void evaluate_dielectric(std::size_t count, const Columns3& wo, const Columns3& 
 
 /// An instruction set that the library was compiled for.
 struct Isa {
-  const char* name;  ///< "scalar", "sse42", "avx2", "avx512"
+  const char* name;  ///< "scalar", "sse42", "avx2", "avx512", "neon"
   bool supported;    ///< by this processor and its operating system
 };
 

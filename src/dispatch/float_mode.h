@@ -21,8 +21,8 @@ class FloatMode {
   }
 #elif defined(__aarch64__)
   using Bits = std::uint64_t;
-  // Alternative and default NaN, flush to zero, rounding, traps.
-  static constexpr Bits kMode = 0x07c89f00, kExact = 0;
+  // Alternative and default NaN, flush to zero, rounding, traps, and what emulators of x86 set.
+  static constexpr Bits kMode = 0x07c89f07, kExact = 0;
   static Bits get() noexcept {
     Bits bits;
     __asm__ volatile("mrs %0, fpcr" : "=r"(bits));
