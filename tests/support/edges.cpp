@@ -134,7 +134,7 @@ std::vector<Group> literals(const Operation& operation, Kind kind) {
     case Kind::theta:
       return kThetas;
     case Kind::eta:
-      return {{0.4f}, {1 / 1.5f}, {0.99999f}, {1.00001f}, {1.5f}, {2.5f}};
+      return product(kEtas, {0});
     case Kind::u: {
       std::vector<Group> all;
       for (const Group& pair : product(kNumbers, kNumbers))
@@ -142,9 +142,12 @@ std::vector<Group> literals(const Operation& operation, Kind kind) {
           all.push_back({pair[0], pair[1], third});
       return all;
     }
-    default:
-      return kViews;
+    case Kind::view:
+    case Kind::light:
+    case Kind::normal:
+      break;
   }
+  return kViews;
 }
 
 /// theta_z alone is the third angle.

@@ -26,9 +26,12 @@ float good_value(Random& random, Kind kind) {
       return random.below(2) ? 1.5f : float(random.uniform(0.4, 2.5));
     case Kind::u:
       return random.unit();
-    default:
-      return float(random.uniform(-1, 1));
+    case Kind::view:
+    case Kind::light:
+    case Kind::normal:
+      break;
   }
+  return float(random.uniform(-1, 1));
 }
 
 /// Columns of `tables`, index by index in turn.
