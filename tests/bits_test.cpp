@@ -21,7 +21,7 @@ class Bits : public EveryOperation {
     return first == Result::point || (first == Result::normal && plain);
   }
 };
-VNDF_FOR_EVERY_OPERATION(Bits);
+VNDF_FOR_EVERY_OPERATION(Bits, true);
 
 TEST_P(Bits, HardCases) {
   const auto& rows = reference::hard_cases();

@@ -37,7 +37,7 @@ class Columns : public EveryOperation {
   /// Evaluates with every column at its own misalignment, and looks at the guards.
   Table guarded(const Table& in, std::size_t shift) const;
 };
-VNDF_FOR_EVERY_OPERATION(Columns);
+VNDF_FOR_EVERY_OPERATION(Columns, true);
 
 Table Columns::guarded(const Table& in, std::size_t shift) const {
   std::size_t count = in[0].size();
