@@ -19,12 +19,12 @@ void expect_near(const Direction& found, const Direction& expected) {
   EXPECT_NEAR(found.z, expected.z, kNear);
 }
 
-// The radius of u is sqrt(u1), the angle u2 turns: half way out, a quarter turn.
+// The radius of u is sqrt(u1), the angle u2 turns: half way out, half a turn.
 TEST(ByEye, DiskPolar) {
   float x, y;
-  sample_disk(DiskMap::polar, 1, {0.25f, 0.25f}, {&x, &y});
-  EXPECT_NEAR(x, 0, kNear);
-  EXPECT_NEAR(y, 0.5, kNear);
+  sample_disk(DiskMap::polar, 1, {0.25f, 0.5f}, {&x, &y});
+  EXPECT_NEAR(x, -0.5, kNear);
+  EXPECT_NEAR(y, 0, kNear);
 }
 
 // Concentric squares become concentric circles: the centre, the middles of two sides, half way to a third, a corner.
