@@ -62,21 +62,30 @@ struct DensityTable {
   BySurface<DensityIn, float*, 1> all;
 };
 
+/// DielectricOptions, without what would be compiled for each set: std::optional.
+struct DielectricAsked {
+  Masking masking;
+  AcrossMasking across;
+  bool radiance;
+  const Column* reflection_probability;  // or null
+};
 struct DielectricIn {
   const Columns3& wo;
   const Column& eta;
   const Columns3& u;
+  DielectricAsked asked;
 };
 struct DielectricTable {
-  BySurface<DielectricIn, DielectricSamples> warps[kWarps];
+  BySurface<DielectricIn, DielectricSamples, 1> warps[kWarps];
 };
 
 struct DielectricEvaluationIn {
   const Columns3 &wo, &wi;
   const Column& eta;
+  DielectricAsked asked;
 };
 struct DielectricEvaluationTable {
-  BySurface<DielectricEvaluationIn, Evaluations> all;
+  BySurface<DielectricEvaluationIn, Evaluations, 1> all;
 };
 
 }  // namespace vndf

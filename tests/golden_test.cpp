@@ -29,7 +29,7 @@ std::map<Kind, Table> make_columns() {
   Table turned = {wo[1], wo[2], wo[0]}, eta = {std::vector<float>(kCount, 1.5f)};
   u.push_back(alpha[0]);
   return {{Kind::view, wo},      {Kind::light, turned}, {Kind::normal, turned}, {Kind::alpha, alpha},
-          {Kind::theta, turned}, {Kind::u, u},          {Kind::eta, eta}};
+          {Kind::theta, turned}, {Kind::u, u},          {Kind::eta, eta},       {Kind::probability, {u[1]}}};
 }
 
 /// FNV-1a over the bits of the outputs that may be left out, or of the others.
@@ -58,18 +58,34 @@ class Golden : public ::testing::TestWithParam<std::string> {
 };
 INSTANTIATE_TEST_SUITE_P(, Golden, ::testing::ValuesIn(isa_names()), [](const auto& info) { return info.param; });
 
+/// The light on the other side of the surface, near the view's opposite.
+Table across(const std::map<Kind, Table>& all) {
+  Table light = all.at(Kind::light);
+  for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t i = 0; i < kCount; ++i) light[c][i] = light[c][i] * 0.25f - all.at(Kind::view)[c][i];
+  return light;
+}
+
+Table inputs(const Operation& operation, const std::map<Kind, Table>& all) {
+  Table in;
+  for (const Input& input : operation.inputs) in.push_back(all.at(input.kind)[input.index]);
+  return in;
+}
+
 TEST_P(Golden, Bits) {
-  const std::map<Kind, Table> all = make_columns();
+  std::map<Kind, Table> all = make_columns(), refracted = all;
+  refracted[Kind::light] = across(all);
   std::map<std::string, GoldenHashes> rows;
   for (const GoldenHashes& row : kGolden) EXPECT_TRUE(rows.emplace(row.name, row).second) << row.name << " twice";
   for (const Operation& operation : operations()) {
-    Table in;
-    for (const Input& input : operation.inputs) in.push_back(all.at(input.kind)[input.index]);
-    Table out = evaluate(operation, in);
-    std::uint64_t results = hash(operation, out, false), optional = hash(operation, out, true);
+    Table out = evaluate(operation, inputs(operation, all));
+    std::uint64_t results = hash(operation, out, false), optional = hash(operation, out, true), across = 0;
+    if (operation.takes(Kind::light) && operation.takes(Kind::eta))
+      across = hash(operation, evaluate(operation, inputs(operation, refracted)), false);
     const GoldenHashes& row = rows[operation.name];
-    EXPECT_TRUE(row.results == results && row.optional == optional)
-        << "now {\"" << operation.name << "\", " << std::hex << std::showbase << results << "u, " << optional << "u},";
+    EXPECT_TRUE(row.results == results && row.optional == optional && row.across == across)
+        << "now {\"" << operation.name << "\", " << std::hex << std::showbase << results << "u, " << optional << "u, "
+        << across << "u},";
     rows.erase(operation.name);
   }
   for (const auto& row : rows) ADD_FAILURE() << row.first << " is no row of the table";

@@ -59,6 +59,11 @@ struct Tilted {
   auto theta_z() const { return lanes::XAxis(); }
 };
 
+/// What a row asks of the lobes of a dielectric.
+struct Asked {
+  bool radiance = false, given = false;
+};
+
 using Calls = std::map<std::string, decltype(Operation::call)>;
 
 /// Calls of the lane functions by the names of the rows.
@@ -96,31 +101,42 @@ class LaneCalls {
     });
   }
   template <class Warp, class Masking>
-  void dielectric(const std::string& end, Masking masking) {
-    add("dielectric" + kind_ + end, [masking](const Lane<F>& lane, const auto& s) {
-      auto sample =
-          lanes::sample_dielectric<Warp>(s.view(), s.shape(), lane.load(lane.in.eta), lane.load(lane.in.u), masking);
+  void dielectric(const std::string& end, Masking masking, Asked asked = {}) {
+    add("dielectric" + kind_ + end, [masking, asked](const Lane<F>& lane, const auto& s) {
+      auto sample = lanes::sample_dielectric<Warp>(s.view(), s.shape(), lane.load(lane.in.eta), lane.load(lane.in.u),
+                                                   masking, lobes(lane, asked));
       lane.store(lane.out.wi, turn_back(sample, lane.load(lane.in.wo), s.theta_z()));
       lane.store(lane.out.pdf, sample.pdf);
       lane.store(lane.out.weight, sample.weight);
       lane.store(lane.out.side, sample.side);
+      lane.store(lane.out.wm, turn_back(sample.wm, s.theta_z()));
+      lane.store(lane.out.wo_dot_wm, sample.cos_o);
+      lane.store(lane.out.wi_dot_wm, sample.cos_i);
+      lane.store(lane.out.reflectance, sample.reflectance);
     });
   }
   template <class Masking>
-  void evaluations(const std::string& end, Masking masking) {
+  void evaluate_reflection(const std::string& end, Masking masking) {
     add("evaluate_reflection" + kind_ + end, [masking](const Lane<F>& lane, const auto& s) {
-      store(lane, lanes::evaluate_reflection(lane.load(lane.in.wo), lane.load(lane.in.wi), s.for_pair(), masking));
+      auto wo = lane.load(lane.in.wo), wi = lane.load(lane.in.wi);
+      store(lane, lanes::evaluate_reflection(wo, wi, s.for_pair(), masking));
+      lane.store(lane.out.wo_dot_wm, lanes::half_cosine(wo, wi));
     });
-    add("evaluate_dielectric" + kind_ + end, [masking](const Lane<F>& lane, const auto& s) {
-      store(lane, lanes::evaluate_dielectric(lane.load(lane.in.wo), lane.load(lane.in.wi), s.for_pair(),
-                                             lane.load(lane.in.eta), masking));
+  }
+  template <class Masking>
+  void evaluate_dielectric(const std::string& end, Masking masking, Asked asked = {}) {
+    add("evaluate_dielectric" + kind_ + end, [masking, asked](const Lane<F>& lane, const auto& s) {
+      auto wo = lane.load(lane.in.wo), wi = lane.load(lane.in.wi);
+      F eta = lane.load(lane.in.eta);
+      store(lane, lanes::evaluate_dielectric(wo, wi, s.for_pair(), eta, masking, lobes(lane, asked)));
     });
   }
   template <class Masking>
   void bounded_evaluation(const std::string& end, Masking masking) {
     add("evaluate_reflection" + kind_ + "_bounded" + end, [masking](const Lane<F>& lane, const auto& s) {
-      store(lane,
-            lanes::evaluate_reflection_bounded(lane.load(lane.in.wo), lane.load(lane.in.wi), s.for_pair(), masking));
+      auto wo = lane.load(lane.in.wo), wi = lane.load(lane.in.wi);
+      store(lane, lanes::evaluate_reflection_bounded(wo, wi, s.for_pair(), masking));
+      lane.store(lane.out.wo_dot_wm, lanes::half_cosine(wo, wi));
     });
   }
   template <class Warp>
@@ -133,6 +149,9 @@ class LaneCalls {
   }
 
  private:
+  static lanes::Lobes<F> lobes(const Lane<F>& lane, Asked asked) {
+    return {asked.radiance, asked.given, asked.given ? lane.load(lane.in.reflection_probability) : F(0.f)};
+  }
   static void store(const Lane<F>& lane, const lanes::Evaluation<F>& value) {
     lane.store(lane.out.f_cos, value.f_cos);
     lane.store(lane.out.pdf, value.pdf);
@@ -172,11 +191,22 @@ Calls lane_calls() {
       plain.template reflection<lanes::Bounded<Warp>>(warp + "_bounded" + name, masking);
       plain.template dielectric<Warp>(warp + name, masking);
     });
-    plain.evaluations(name, masking);
+    plain.evaluate_reflection(name, masking);
+    plain.evaluate_dielectric(name, masking);
     plain.bounded_evaluation(name, masking);
   };
   options("", lanes::kHeightCorrelated);
   options("_separable", lanes::kSeparable);
+  auto across = [](auto functions, const std::string& name, auto masking, Asked asked) {
+    functions.template dielectric<lanes::Concentric>("_concentric" + name, masking, asked);
+    functions.evaluate_dielectric(name, masking, asked);
+  };
+  const lanes::Smith as_reflection{Masking::height_correlated, AcrossMasking::as_reflection},
+      correlated{Masking::height_correlated, AcrossMasking::height_correlated};
+  across(plain, "_as_reflection", as_reflection, {});
+  across(plain, "_correlated_across", correlated, {});
+  across(plain, "_radiance", lanes::kHeightCorrelated, {true, false});
+  across(plain, "_probability", lanes::kHeightCorrelated, {false, true});
   auto normals = [](auto functions) {
     for_each_warp([&](auto w, const std::string& warp) { functions.template normals<decltype(w)>(warp); });
     functions.pdf_of_normals();
@@ -186,7 +216,9 @@ Calls lane_calls() {
       functions.template reflection<decltype(w)>(warp, masking);
       functions.template dielectric<decltype(w)>(warp, masking);
     });
-    functions.evaluations("", masking);
+    functions.evaluate_reflection("", masking);
+    functions.evaluate_dielectric("", masking);
+    across(functions, "_probability", masking, {true, true});
     normals(functions);
   };
   normals(plain);
@@ -200,8 +232,9 @@ TEST(Lanes, HaveTheBitsOfTheBatchFunctions) {
   Calls calls = lane_calls<VNDF_LANES>();
   for (const Operation& batch : operations()) {
     bool made_of_columns = batch.takes(Kind::alpha) || !batch.takes(Kind::view);
-    ASSERT_EQ(calls.count(batch.name), made_of_columns) << batch.name << " has no lane function here";
-    if (!made_of_columns) continue;
+    bool two_sided = batch.name.find("_two_sided") != std::string::npos;  // batch functions turn views over
+    ASSERT_EQ(calls.count(batch.name), made_of_columns && !two_sided) << batch.name << " has no lane function here";
+    if (!calls.count(batch.name)) continue;
     Operation lane = batch;
     lane.call = calls[batch.name];
     Table in = mixed_inputs(batch, kCount, 1);

@@ -45,6 +45,18 @@ TEST(Preconditions, Outputs) {
   }
 }
 
+// A pointer that was forgotten is not a constant.
+TEST(Preconditions, Inputs) {
+  for (const Operation& row : operations()) {
+    SCOPED_TRACE(row.name);
+    for (std::size_t c = 0; c < row.inputs.size(); ++c) {
+      Call call(row);
+      call.in[c] = Column(nullptr);
+      expect_assertion(call);
+    }
+  }
+}
+
 TEST(Preconditions, Counts) {
   for (const Operation& row : operations()) {
     SCOPED_TRACE(row.name);
@@ -82,6 +94,15 @@ TEST(Preconditions, Enumerators) {
   expect_assertion([&] { sample_dielectric(warp, kCount, wo, alpha, 1.5f, wo, dielectric); });
   expect_assertion([&] { sample_dielectric(Warp::polar, kCount, wo, alpha, 1.5f, wo, dielectric, masking); });
   expect_assertion([&] { evaluate_dielectric(kCount, wo, wo, alpha, 1.5f, values, masking); });
+  DielectricOptions options;
+  options.across = static_cast<AcrossMasking>(3);
+  expect_assertion([&] { sample_dielectric(Warp::polar, kCount, wo, alpha, 1.5f, wo, dielectric, options); });
+  expect_assertion([&] { evaluate_dielectric(kCount, wo, wo, alpha, 1.5f, values, options); });
+  // What there is not: bounded ellipsoids, and a cosine of the dielectric's pairs.
+  const ReflectionOptions bounded{Masking::separable, true};
+  expect_assertion([&] { sample_reflection(Warp::polar, kCount, wo, ellipsoid, u, reflection, bounded); });
+  expect_assertion([&] { evaluate_reflection(kCount, wo, wo, Shape(), values, bounded); });
+  expect_assertion([&] { evaluate_dielectric(kCount, wo, wo, alpha, 1.5f, {columns[0], columns[1], columns[2]}); });
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace VNDF_API vndf {
 /// 2 and 4 have the same bits; 3 rounds otherwise. bench/README.md says where this was measured.
 ///
 /// alpha             from 1e-6 to 100. In 2 and 4 it is taken as at least 2^-60, without sign.
-/// theta_z           turns the axes of alpha about n: alpha_x is the roughness along (cos theta_z, -sin theta_z, 0).
+/// theta_z           turns the axes of alpha about n: alpha_x is along (cos theta_z, -sin theta_z, 0).
 /// theta_x, theta_y  lean the distribution.
 ///
 /// Angles are in radians, modulo 2 pi. Up to pi either way they cost 0.6 eps of the direction, more whole turns theta
@@ -75,20 +75,21 @@ void sample_normals(Warp warp, std::size_t count, const Columns3& wo, const Shap
 /// sample_reflection of vndf.h: wi, eq. 47; pdf, eq. 48; weight, eq. 50 without Fresnel's factor, in [0, 1].
 ///
 /// Masking is G = G1(wo) G1(wi), eq. 5, with the minimum of eq. 6. Height-correlated masking and bounded sampling are
-/// not defined for ellipsoids. For theta = 0 and views with z >= 0 the bits are those of vndf.h with separable masking.
+/// not defined for ellipsoids: options.masking is not read, and bounded must be false. For theta = 0 and views with z
+/// >= 0 the bits are those of vndf.h with separable masking.
 void sample_reflection(Warp warp, std::size_t count, const Columns3& wo, const Ellipsoid& ellipsoid, const Columns2& u,
-                       const ReflectionSamples& out) noexcept;
+                       const ReflectionSamples& out, const ReflectionOptions& options = {}) noexcept;
 void sample_reflection(Warp warp, std::size_t count, const Columns3& wo, const Shape& shape, const Columns2& u,
-                       const ReflectionSamples& out) noexcept;
+                       const ReflectionSamples& out, const ReflectionOptions& options = {}) noexcept;
 
 /// evaluate_reflection of vndf.h: f_cos = D(h) G1(wo) G1(wi) / (4 wo.z), eq. 4, and the pdf of sample_reflection. Both
 /// are 0 where wo.z < 0 or wi.z <= 0. Bits for theta = 0: as for sample_reflection.
 ///
 /// Error    ratio at most 20, p99.9 8, for alpha up to 1.
 void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& wi, const Ellipsoid& ellipsoid,
-                         const Evaluations& out) noexcept;
+                         const Evaluations& out, const ReflectionOptions& options = {}) noexcept;
 void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& wi, const Shape& shape,
-                         const Evaluations& out) noexcept;
+                         const Evaluations& out, const ReflectionOptions& options = {}) noexcept;
 
 /// pdf_normals of vndf.h: eq. 33, for any view; 0 where wm.z < 0 or wo.wm <= 0.
 void pdf_normals(std::size_t count, const Columns3& wo, const Columns3& wm, const Ellipsoid& ellipsoid,
@@ -99,15 +100,15 @@ void pdf_normals(std::size_t count, const Columns3& wo, const Columns3& wm, cons
 ///
 /// Masking is G = G1(wo) G1(wi) for reflection and for refraction, each direction turned to the upper hemisphere,
 /// eq. 7: views from below see the same ellipsoid, mirrored in the origin. The weight is that of eq. 50 for both, in
-/// [0, 1].
+/// [0, 1]; options.masking and across are not read.
 ///
 /// For theta = 0 the bits are those of vndf.h with separable masking, with one exception: where theta_x or theta_y are
 /// columns of zeros, weights of refraction are within 4 eps of those. pdf agrees with evaluate_dielectric but for the
 /// rounding of wi.
 void sample_dielectric(Warp warp, std::size_t count, const Columns3& wo, const Ellipsoid& ellipsoid, const Column& eta,
-                       const Columns3& u, const DielectricSamples& out) noexcept;
+                       const Columns3& u, const DielectricSamples& out, const DielectricOptions& options = {}) noexcept;
 void sample_dielectric(Warp warp, std::size_t count, const Columns3& wo, const Shape& shape, const Column& eta,
-                       const Columns3& u, const DielectricSamples& out) noexcept;
+                       const Columns3& u, const DielectricSamples& out, const DielectricOptions& options = {}) noexcept;
 
 /// evaluate_dielectric of vndf.h: f(wo, wi) |wi.z| of Walter et al. 2007, eq. 20 and 21, with D of eq. 1 and G of
 /// eq. 7, and the pdf of sample_dielectric. f / eta^2 of the side of wi is symmetric. Bits for theta = 0: as for
@@ -115,8 +116,8 @@ void sample_dielectric(Warp warp, std::size_t count, const Columns3& wo, const S
 ///
 /// Error    ratio at most 20, p99.9 8, for alpha up to 1.
 void evaluate_dielectric(std::size_t count, const Columns3& wo, const Columns3& wi, const Ellipsoid& ellipsoid,
-                         const Column& eta, const Evaluations& out) noexcept;
+                         const Column& eta, const Evaluations& out, const DielectricOptions& options = {}) noexcept;
 void evaluate_dielectric(std::size_t count, const Columns3& wo, const Columns3& wi, const Shape& shape,
-                         const Column& eta, const Evaluations& out) noexcept;
+                         const Column& eta, const Evaluations& out, const DielectricOptions& options = {}) noexcept;
 
 }  // namespace vndf

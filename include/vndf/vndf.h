@@ -18,11 +18,11 @@
 //    [0, count) of an output.
 //  - In place: an output may be the same column as an input of the same call, since every input of an index is read
 //    before its outputs are written. Outputs must not overlap one another, nor an input at another offset.
-//  - Every output is written. Outputs may be null pointers only for count 0, or where ReflectionSamples says so.
+//  - Every output is written. Pointers may be null only for count 0, and those of outputs that are said to be optional.
 //  - Preconditions: such pointers, enumerators in their range, count <= PTRDIFF_MAX / 4. Debug builds of the library
 //    assert them.
 //  - Results are finite for finite inputs of the stated domains. Densities are at most 2^60, which stands for a delta
-//    (roughness 0, an index of 1). Its square is finite too, so the weights of multiple importance sampling are those
+//    (alpha 0, an index of 1). Its square is finite too, so the weights of multiple importance sampling are those
 //    of a delta.
 //  - NaN or infinity in any input, and inputs outside the stated domain, give unspecified values or NaN in that lane
 //    alone, unless a function says otherwise.
@@ -36,6 +36,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <type_traits>
 
 #include <vndf/version.h>
@@ -44,15 +45,18 @@ namespace VNDF_API vndf {
 
 /// An input column: `count` floats, or one value for the whole batch (a material's alpha, a directional camera), which
 /// saves the reads. Both give the same bits, except for the columns of an Ellipsoid, which choose how it is computed.
-/// The floats must live until the call returns. A null pointer is the constant 0.
+/// The floats must live until the call returns.
 struct Column {
   const float* data;  ///< `count` floats, or a null pointer for a constant
-  float value;        ///< the constant, where data is null
+  float value;        ///< the constant
+  bool constant;
 
-  constexpr Column(const float* column) noexcept : data(column), value(0.f) {}
-  /// Any arithmetic type, so that {0, 0, 1} is a direction and 0 not a pointer.
+  /// `count` floats. A null pointer, unless for count 0, is an error of the caller's: debug builds of the library
+  /// assert it, others read the constant 0.
+  constexpr Column(const float* column) noexcept : data(column), value(0.f), constant(false) {}
+  /// A constant of any arithmetic type, so that {0, 0, 1} is a direction and 0 not a pointer.
   template <class T, class = std::enable_if_t<std::is_arithmetic<T>::value>>
-  constexpr Column(T constant) noexcept : data(nullptr), value(static_cast<float>(constant)) {}
+  constexpr Column(T constant_) noexcept : data(nullptr), value(static_cast<float>(constant_)), constant(true) {}
 };
 
 /// Two columns: a pair of random numbers, or alpha_x and alpha_y.
@@ -89,7 +93,8 @@ enum class DiskMap { polar, concentric };
 /// Samples the GGX distribution of visible normals, D_wo(wm) = G1(wo) max(0, wo.wm) D(wm) / wo.z.
 ///
 /// wo     view directions of any length. Views below the horizon (z < 0) are sampled as well.
-/// alpha  roughness along x and y, isotropic or not.
+/// alpha  GGX's parameter along x and y, isotropic or not. It is not the roughness r of material formats (glTF, Disney,
+///        OpenPBR), whose alpha is r^2.
 /// u      uniform random numbers in [0, 1], both ends included.
 /// wm     unit normals of the upper hemisphere, wm.z >= 0.
 ///
@@ -124,6 +129,10 @@ struct ReflectionOptions {
   /// samples go from 49 % to 0 (alpha 1, near-normal view), from 26 % to 4 % (0.6), from 23 % to 21 % (0.2 and 0.8).
   /// Samples, density and weight are those of the smaller set of normals, so evaluation must be told the same.
   bool bounded = false;
+  /// Views from below (wo.z < 0, or -0) see the surface from above, mirrored: wo.z changes its sign, and so do wi.z and
+  /// wm.z. Sheets that are seen from both sides need it, and so do shading normals that turn away from the view: normal
+  /// maps and interpolated normals make such views, whose pdf and weight of 0 are black pixels otherwise.
+  bool two_sided = false;
 };
 
 /// Where sample_reflection writes: wi, pdf and weight always; those of wm.x, wm.y, wm.z and wo_dot_wm that are not null
@@ -139,7 +148,7 @@ struct ReflectionSamples {
 /// Samples reflection of the view at a visible normal, with density and weight, in one pass.
 ///
 /// warp       as for sample_normals. Bounded, polar and concentric lay their disk point on the cap by Lambert's map.
-/// wo         unit view directions. For z < 0 pdf and weight are 0, and wi is of no use.
+/// wo         unit view directions. For z < 0 pdf and weight are 0, and wi is of no use, unless two-sided.
 /// alpha, u   as for sample_normals.
 /// wi         2 (wo.wm) wm - wo, eq. 16. For wi.z <= 0 it is written all the same, and pdf and weight are 0.
 /// pdf        density of wi over solid angle, eq. 17: D(wm) G1(wo) / (4 wo.z), more if bounded.
@@ -159,23 +168,28 @@ struct ReflectionSamples {
 void sample_reflection(Warp warp, std::size_t count, const Columns3& wo, const Columns2& alpha, const Columns2& u,
                        const ReflectionSamples& out, const ReflectionOptions& options = {}) noexcept;
 
-/// Where the evaluations write.
+/// Where the evaluations write: f_cos and pdf always, and evaluate_reflection wo_dot_wm if it is not a null pointer.
+/// evaluate_dielectric has no use for it: Fresnel's factor is in its f_cos, and the pointer must be null.
 struct Evaluations {
   float* f_cos;
   float* pdf;
+  float* wo_dot_wm = nullptr;
 };
 
 /// The BRDF of a pair of directions, and the density that sample_reflection has for it: for light that was sampled
 /// otherwise, and for multiple importance sampling.
 ///
 /// wo, wi   unit directions.
-/// alpha    roughness along x and y; below 2^-60 it is taken as 2^-60.
+/// alpha    as for sample_normals; below 2^-60 it is taken as 2^-60.
 /// f_cos    f(wo, wi) wi.z without Fresnel's factor: D(h) G2(wo, wi) / (4 wo.z), eq. 15.
 /// pdf      density of wi given wo, under the same options as sample_reflection.
+/// wo_dot_wm  the cosine of either direction to the normal between them, for Fresnel's factor: |wo + wi| / 2, at
+/// most 1.
 ///
 /// Domain   alpha from 1e-6 to 100, lengths near 1.
 /// Error    ratio at most 8; relative at most 25 eps. Nothing cancels: h = wo + wi is taken as it is.
-/// Special  wo.z < 0, wi.z <= 0 or wo = 0: both 0. |wo + wi| < 2^-70: finite, perhaps 0. alpha = 0 and h = +z: up to
+/// Special  wo.z < 0 (unless two-sided), wi.z <= 0 or wo = 0: f_cos and pdf 0. |wo + wi| < 2^-70: finite, perhaps 0.
+/// alpha = 0 and h = +z: up to
 ///          2^60.
 /// Source   Heitz 2018, eq. 15 and 17; Eto and Tokuyoshi 2023, eq. 8.
 void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& wi, const Columns2& alpha,
@@ -185,7 +199,7 @@ void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& 
 /// horizon.
 ///
 /// wo, wm   unit directions.
-/// alpha    roughness along x and y; D takes alpha below 2^-60 as 2^-60.
+/// alpha    as for sample_normals; D takes alpha below 2^-60 as 2^-60.
 /// pdf      density of wm over solid angle; 0 where wm.z < 0 or wo.wm <= 0, and for wo = 0.
 ///
 /// Domain   alpha from 1e-6 to 100.
@@ -194,12 +208,39 @@ void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& 
 /// Source   Heitz 2018, eq. 3.
 void pdf_normals(std::size_t count, const Columns3& wo, const Columns3& wm, const Columns2& alpha, float* pdf) noexcept;
 
-/// Where sample_dielectric writes.
+/// Smith's G2 of a refraction, where wo and wi are on different sides of the surface. Renderers differ here, and so do
+/// their pictures: of light at 85 degrees, 61, 75 and 45 % pass a surface of alpha 0.5 and eta 1.5, in this order
+/// (tests/shading/options_test.cpp).
+enum class AcrossMasking {
+  separable,          ///< G1(wo) G1(wi), Walter et al. 2007, eq. 23: between the others
+  as_reflection,      ///< 1 / (1 + Lambda(wo) + Lambda(wi)), as pbrt and Cycles have it: what wo sees, wi sees too
+  height_correlated,  ///< B(1 + Lambda(wo), 1 + Lambda(wi)), Euler's beta function: exact for Smith's surfaces, where
+                      ///< what is high for the one is deep for the other (Heitz, Hanika, d'Eon, Dachsbacher 2016)
+};
+
+struct DielectricOptions {
+  Masking masking;  ///< of reflections
+  AcrossMasking across = AcrossMasking::separable;
+  /// Weight and f_cos of refracted light count radiance, not energy: they have the factor (index at wo / index at
+  /// wi)^2. Paths from the camera carry radiance, paths from lights energy.
+  bool radiance = false;
+  /// The probability of reflection, in [0, 1], in place of Fresnel's reflectance: 1 asks for reflection alone, 0 for
+  /// refraction alone. pdf and weight follow.
+  std::optional<Column> reflection_probability = std::nullopt;
+
+  constexpr DielectricOptions(Masking masking_ = Masking::height_correlated) noexcept : masking(masking_) {}
+};
+
+/// Where sample_dielectric writes: wi, pdf, weight and side always; of the others those that are not null pointers.
 struct DielectricSamples {
   Out3 wi;
   float* pdf;
   float* weight;
   float* side;
+  Out3 wm = {nullptr, nullptr, nullptr};
+  float* wo_dot_wm = nullptr;
+  float* wi_dot_wm = nullptr;
+  float* reflectance = nullptr;
 };
 
 /// Samples reflection or refraction at a visible normal of a rough dielectric.
@@ -208,17 +249,21 @@ struct DielectricSamples {
 /// alpha   as for sample_reflection.
 /// eta     index of refraction below the surface (z < 0) over the index above it.
 /// u       three uniform random numbers in [0, 1]: two for the normal. The third chooses reflection where it is less
-///         than Fresnel's reflectance for unpolarised light.
+///         than Fresnel's reflectance for unpolarised light, or than the probability given.
 /// wi      unit, on wo's side or across; written in any case.
 /// pdf     density of wi over solid angle, with the probability of the choice and the Jacobian of the half vector,
 ///         eq. 14 and 17. 0, like weight, where wi comes out at the wrong side of the surface.
-/// weight  f(wo, wi) |wi.z| / pdf, in [0, 1]: G2 / G1(wo) for reflection; G1(wi) for refraction, where the maskings of
-///         the two sides are independent (eq. 23). Fresnel's factor is in the choice. The weight counts energy. A
-///         renderer that carries radiance multiplies refracted light by (index at wo / index at wi)^2.
+/// weight  f(wo, wi) |wi.z| / pdf: G2(wo, wi) / G1(wo), in [0, 1], since Fresnel's factor is in the choice. Where the
+///         probability of the choice was given, it has Fresnel's factor over that probability.
 /// side    1 where wi is a reflection, -1 where it is a refraction.
+/// wm           the unit normal, on the side of the view.
+/// wo_dot_wm    its cosine to the view, in [0, 1].
+/// wi_dot_wm    its cosine to wi: the same for a reflection, negative for a refraction.
+/// reflectance  Fresnel's.
 ///
 /// Domain   alpha from 1e-6 to 100, eta from 0.1 to 10.
-/// Error    ratio at most 16 for wi, pdf and weight, where |eta - 1| >= 1e-4 and |wo| is within 8 eps of 1. For |wo|
+/// Error    ratio at most 16 for wi, pdf and weight, where |eta - 1| >= 1e-4 and |wo| is within 8 eps of 1. A weight w
+///          of height-correlated masking across is within 30 eps (1 - ln w), and at least 2^-116. For |wo|
 ///          off by up to 1e-3 it holds for reflected wi and the weight alone. pdf is to 2^-62 absolute too, and the
 ///          weight is that of a wi whose z may be 2^-42 off.
 /// Special  |eta - 1| < 2^-16 (from below, |1 / eta - 1|) counts as index-matched: wi = -wo, side -1, weight 1, pdf
@@ -227,15 +272,14 @@ struct DielectricSamples {
 /// Source   Walter, Marschner, Li and Torrance, Microfacet Models for Refraction through Rough Surfaces, EGSR 2007,
 ///          with the normals of Heitz 2018.
 void sample_dielectric(Warp warp, std::size_t count, const Columns3& wo, const Columns2& alpha, const Column& eta,
-                       const Columns3& u, const DielectricSamples& out,
-                       Masking masking = Masking::height_correlated) noexcept;
+                       const Columns3& u, const DielectricSamples& out, const DielectricOptions& options = {}) noexcept;
 
 /// The BSDF of a pair of directions, and the density that sample_dielectric has for it.
 ///
 /// wo, wi, alpha, eta  as for sample_dielectric; wi on either side.
-/// f_cos               f(wo, wi) |wi.z|, Fresnel's factor included. It counts energy, as the weight of
-///                     sample_dielectric does: f / eta^2 of the side of wi is symmetric.
-/// pdf                 density of wi given wo.
+/// f_cos               f(wo, wi) |wi.z|, Fresnel's factor included. It counts energy unless options.radiance is set, as
+///                     the weight of sample_dielectric does: f / eta^2 of the side of wi is symmetric.
+/// pdf                 density of wi given wo, under the same options as sample_dielectric.
 ///
 /// Error    ratio at most 8. Fresnel's transmittance is that of both cosines: f / eta^2 is symmetric to 1e-5 relative
 ///          where neither cosine to the normal is under 0.01.
@@ -244,8 +288,7 @@ void sample_dielectric(Warp warp, std::size_t count, const Columns3& wo, const C
 ///          wi, unless it is index-matched.
 /// Source   Walter et al. 2007, eq. 20 and 21.
 void evaluate_dielectric(std::size_t count, const Columns3& wo, const Columns3& wi, const Columns2& alpha,
-                         const Column& eta, const Evaluations& out,
-                         Masking masking = Masking::height_correlated) noexcept;
+                         const Column& eta, const Evaluations& out, const DielectricOptions& options = {}) noexcept;
 
 /// An instruction set that the library was compiled for.
 struct Isa {

@@ -35,6 +35,40 @@ inline void expect_written(std::size_t count, const Evaluations& out) noexcept {
   expect_written(count, out.f_cos, out.pdf);
 }
 
+/// Asserts that input columns are constants or point somewhere.
+inline void expect_given([[maybe_unused]] std::size_t count, [[maybe_unused]] const Column& column) noexcept {
+  assert(count == 0 || column.constant || column.data);
+}
+inline void expect_given(std::size_t count, const Columns2& in) noexcept {
+  expect_given(count, in.x), expect_given(count, in.y);
+}
+inline void expect_given(std::size_t count, const Columns3& in) noexcept {
+  expect_given(count, in.x), expect_given(count, in.y), expect_given(count, in.z);
+}
+inline void expect_given(std::size_t count, const Ellipsoid& e) noexcept {
+  expect_given(count, e.alpha), expect_given(count, e.theta_x), expect_given(count, e.theta_y);
+  expect_given(count, e.theta_z);
+}
+inline void expect_given(std::size_t, const Shape&) noexcept {}
+template <class First, class Second, class... Rest>
+void expect_given(std::size_t count, const First& first, const Second& second, const Rest&... rest) noexcept {
+  expect_given(count, first), expect_given(count, second, rest...);
+}
+
+/// The options as kernels read them. Ellipsoids have a masking of their own.
+inline DielectricAsked asked_of(std::size_t count, const DielectricOptions& options) noexcept {
+  assert(static_cast<std::size_t>(options.masking) < 2 && static_cast<std::size_t>(options.across) < 3);
+  const auto& p = options.reflection_probability;
+  if (p) expect_given(count, *p);
+  return {options.masking, options.across, options.radiance, p ? &*p : nullptr};
+}
+inline DielectricAsked asked_of_ellipsoid(std::size_t count, const DielectricOptions& options) noexcept {
+  auto asked = asked_of(count, options);
+  asked.masking = Masking::separable;
+  asked.across = AcrossMasking::separable;
+  return asked;
+}
+
 inline bool constant(const Column& column) {
   return !column.data;
 }

@@ -17,24 +17,26 @@ static const DielectricEvaluationTable& table() noexcept {
   return *kRows[active_row()];
 }
 
-template <class Surface, class... Masking>
+template <class Surface>
 static void evaluate(std::size_t count, const DielectricEvaluationIn& in, const Surface& surface,
-                     const Evaluations& out, Masking... masking) noexcept {
+                     const Evaluations& out) noexcept {
   expect_written(count, out);
-  call(table().all, count, in, surface, out, masking...);
+  assert(!out.wo_dot_wm);
+  expect_given(count, in.wo, in.wi, in.eta, surface);
+  call(table().all, count, in, surface, out);
 }
 
 void evaluate_dielectric(std::size_t count, const Columns3& wo, const Columns3& wi, const Columns2& alpha,
-                         const Column& eta, const Evaluations& out, Masking masking) noexcept {
-  evaluate(count, {wo, wi, eta}, alpha, out, masking);
+                         const Column& eta, const Evaluations& out, const DielectricOptions& options) noexcept {
+  evaluate(count, {wo, wi, eta, asked_of(count, options)}, alpha, out);
 }
 void evaluate_dielectric(std::size_t count, const Columns3& wo, const Columns3& wi, const Ellipsoid& ellipsoid,
-                         const Column& eta, const Evaluations& out) noexcept {
-  evaluate(count, {wo, wi, eta}, ellipsoid, out);
+                         const Column& eta, const Evaluations& out, const DielectricOptions& options) noexcept {
+  evaluate(count, {wo, wi, eta, asked_of_ellipsoid(count, options)}, ellipsoid, out);
 }
 void evaluate_dielectric(std::size_t count, const Columns3& wo, const Columns3& wi, const Shape& shape,
-                         const Column& eta, const Evaluations& out) noexcept {
-  evaluate(count, {wo, wi, eta}, shape, out);
+                         const Column& eta, const Evaluations& out, const DielectricOptions& options) noexcept {
+  evaluate(count, {wo, wi, eta, asked_of_ellipsoid(count, options)}, shape, out);
 }
 
 }  // namespace vndf

@@ -20,6 +20,7 @@ static const DensityTable& table() noexcept {
 template <class Surface>
 static void evaluate(std::size_t count, const DensityIn& in, const Surface& surface, float* pdf) noexcept {
   expect_written(count, pdf);
+  expect_given(count, in.wo, in.wm, surface);
   call(table().all, count, in, surface, pdf);
 }
 

@@ -17,24 +17,25 @@ static const DielectricTable& table() noexcept {
   return *kRows[active_row()];
 }
 
-template <class Surface, class... Masking>
+template <class Surface>
 static void sample(Warp warp, std::size_t count, const DielectricIn& in, const Surface& surface,
-                   const DielectricSamples& out, Masking... masking) noexcept {
+                   const DielectricSamples& out) noexcept {
   expect_written(count, out.wi.x, out.wi.y, out.wi.z, out.pdf, out.weight, out.side);
-  call(of(table().warps, warp), count, in, surface, out, masking...);
+  expect_given(count, in.wo, in.eta, in.u, surface);
+  call(of(table().warps, warp), count, in, surface, out);
 }
 
 void sample_dielectric(Warp warp, std::size_t count, const Columns3& wo, const Columns2& alpha, const Column& eta,
-                       const Columns3& u, const DielectricSamples& out, Masking masking) noexcept {
-  sample(warp, count, {wo, eta, u}, alpha, out, masking);
+                       const Columns3& u, const DielectricSamples& out, const DielectricOptions& options) noexcept {
+  sample(warp, count, {wo, eta, u, asked_of(count, options)}, alpha, out);
 }
 void sample_dielectric(Warp warp, std::size_t count, const Columns3& wo, const Ellipsoid& ellipsoid, const Column& eta,
-                       const Columns3& u, const DielectricSamples& out) noexcept {
-  sample(warp, count, {wo, eta, u}, ellipsoid, out);
+                       const Columns3& u, const DielectricSamples& out, const DielectricOptions& options) noexcept {
+  sample(warp, count, {wo, eta, u, asked_of_ellipsoid(count, options)}, ellipsoid, out);
 }
 void sample_dielectric(Warp warp, std::size_t count, const Columns3& wo, const Shape& shape, const Column& eta,
-                       const Columns3& u, const DielectricSamples& out) noexcept {
-  sample(warp, count, {wo, eta, u}, shape, out);
+                       const Columns3& u, const DielectricSamples& out, const DielectricOptions& options) noexcept {
+  sample(warp, count, {wo, eta, u, asked_of_ellipsoid(count, options)}, shape, out);
 }
 
 }  // namespace vndf

@@ -19,6 +19,7 @@ static const DiskTable& table() noexcept {
 
 void sample_disk(DiskMap map, std::size_t count, const Columns2& u, const Out2& t) noexcept {
   expect_written(count, t.x, t.y);
+  expect_given(count, u);
   FloatMode exact;
   of(table().maps, map)(count, u, t);
 }

@@ -21,6 +21,7 @@ template <class Surface>
 static void sample(Warp warp, std::size_t count, const Columns3& wo, const Surface& surface, const Columns2& u,
                    const Out3& wm) noexcept {
   expect_written(count, wm);
+  expect_given(count, wo, surface, u);
   call(of(table().warps, warp), count, {wo, u}, surface, wm);
 }
 

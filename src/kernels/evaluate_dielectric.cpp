@@ -1,19 +1,21 @@
 // evaluate_dielectric for one instruction set.
+#include "dielectric_options.h"
 #include "kernel.h"
 #include "surfaces.h"
 
 namespace {
 
-template <class Surface, class Masking>
+template <class Surface>
 struct Evaluation {
   InColumns3 wo, wi;
   Surface surface;
   InColumn eta;
+  Asked asked;
   OutColumn f_cos, pdf;
 
   template <class Function>
   VNDF_INLINE void inputs(Function f) {
-    wo.each(f), wi.each(f), surface.each(f), f(eta);
+    wo.each(f), wi.each(f), surface.each(f), f(eta), asked.each(f);
   }
   template <class Function>
   VNDF_INLINE void outputs(Function f) {
@@ -24,17 +26,17 @@ struct Evaluation {
   template <class F>
   VNDF_INLINE void at(std::size_t i) const {
     auto value = lanes::evaluate_dielectric(wo.load<F>(i), wi.load<F>(i), surface.template for_pair<F>(i),
-                                            eta.load<F>(i), Masking());
+                                            eta.load<F>(i), asked.masking<Surface>(), asked.lobes<F>(i));
     f_cos.store(i, value.f_cos);
     pdf.store(i, value.pdf);
   }
 };
 
-template <class Surface, class Masking = typename Surface::Masking>
+template <class Surface>
 void evaluate(std::size_t count, const vndf::DielectricEvaluationIn& in, const typename Surface::Given& surface,
               const vndf::Evaluations& out) noexcept {
   typename Surface::Room room;
-  Evaluation<Surface, Masking> kernel{in.wo, in.wi, {surface, count, room}, in.eta, out.f_cos, out.pdf};
+  Evaluation<Surface> kernel{in.wo, in.wi, {surface, count, room}, in.eta, in.asked, out.f_cos, out.pdf};
   run(count, kernel);
 }
 
@@ -43,8 +45,7 @@ void evaluate(std::size_t count, const vndf::DielectricEvaluationIn& in, const t
 namespace vndf::VNDF_SET {
 
 extern const DielectricEvaluationTable evaluate_dielectric;
-constexpr DielectricEvaluationTable evaluate_dielectric = {{{::evaluate<Alpha>, ::evaluate<Alpha, lanes::Smith<true>>},
-                                                            ::evaluate<TurnedAlpha>,
-                                                            ::evaluate<Matrix<ForPairs>>}};
+constexpr DielectricEvaluationTable evaluate_dielectric = {
+    {{::evaluate<Alpha>}, ::evaluate<TurnedAlpha>, ::evaluate<Matrix<ForPairs>>}};
 
 }  // namespace vndf::VNDF_SET

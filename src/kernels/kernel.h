@@ -51,7 +51,8 @@ VNDF_NOINLINE void walk_streaming(std::size_t count, const Walk& w, Buffers& buf
 /// Walks block after block. The last lanes, fewer than a vector, are a block of copies. Not inlined: one function for
 /// all kernels of an object.
 VNDF_NOINLINE void walk(std::size_t count, const Walk& w) {
-  alignas(64) Buffers in, out;
+  alignas(64) float in[16][kWidth];
+  alignas(64) Buffers out;
   const std::size_t rest = count % kWidth, whole = count - rest;
   std::size_t begin = 0;
   if (count >= kStreaming) {

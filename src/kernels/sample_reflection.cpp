@@ -5,7 +5,7 @@
 
 namespace {
 
-template <class Warp, class Surface, class Masking>
+template <class Warp, class Surface, vndf::Masking masking>
 struct Reflection {
   InColumns3 wo;
   Surface surface;
@@ -27,7 +27,8 @@ struct Reflection {
   template <class F>
   VNDF_INLINE void at(std::size_t i) const {
     auto view = surface.view(wo.load<F>(i), i);
-    auto sample = lanes::sample_reflection<Warp>(view, surface.template shape<F>(i), u.load<F>(i), Masking());
+    auto sample =
+        lanes::sample_reflection<Warp>(view, surface.template shape<F>(i), u.load<F>(i), Surface::masking(masking));
     auto theta_z = surface.template theta_z<F>(i);
     bool normal_wanted = wm_x.wanted() || wm_y.wanted() || wm_z.wanted() || wo_dot_wm.wanted();
     wi.store(i, turn_back(sample.wi, theta_z));
@@ -42,11 +43,11 @@ struct Reflection {
   }
 };
 
-template <class Warp, class Surface, class Masking = typename Surface::Masking>
+template <class Warp, class Surface, vndf::Masking masking = vndf::Masking::separable>
 void sample(std::size_t count, const vndf::ReflectionIn& in, const typename Surface::Given& surface,
             const vndf::ReflectionSamples& out) noexcept {
   typename Surface::Room room;
-  Reflection<Warp, Surface, Masking> kernel{
+  Reflection<Warp, Surface, masking> kernel{
       in.wo, {surface, count, room}, in.u, out.wi, out.pdf, out.weight, out.wm.x, out.wm.y, out.wm.z, out.wo_dot_wm};
   run(count, kernel);
 }
@@ -54,10 +55,10 @@ void sample(std::size_t count, const vndf::ReflectionIn& in, const typename Surf
 template <class... Warp>
 constexpr vndf::ReflectionTable table(List<Warp...>) {
   using lanes::Bounded;
-  return {{{{sample<Warp, Alpha>, sample<Warp, Alpha, lanes::Smith<true>>},
+  return {{{{sample<Warp, Alpha, vndf::Masking::height_correlated>, sample<Warp, Alpha>},
             sample<Warp, TurnedAlpha>,
             sample<Warp, Matrix<ForViews>>}...},
-          {{sample<Bounded<Warp>, Alpha>, sample<Bounded<Warp>, Alpha, lanes::Smith<true>>}...}};
+          {{sample<Bounded<Warp>, Alpha, vndf::Masking::height_correlated>, sample<Bounded<Warp>, Alpha>}...}};
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 //   shape<F>(i)         A for the view
 //   theta_z<F>(i)       what turns directions back from the frame
 //   for_pair<F>(i)      what evaluates a given pair of directions, in the frame of the columns
+//   masking(...)        how it is masked: what a call asked for, or the one that there is
 #pragma once
 
 #include "../kernel_tables.h"
@@ -17,11 +18,13 @@ namespace {
 /// Plain GGX: A = diag(alpha_x, alpha_y, 1).
 struct Alpha {
   using Given = vndf::Columns2;
-  using Masking = lanes::Smith<false>;  // unless a kernel is given another
   struct Room {};
   InColumns2 alpha;
 
   VNDF_INLINE Alpha(const Given& given, std::size_t, Room&) : alpha(given) {}
+  static VNDF_INLINE constexpr lanes::Smith masking(vndf::Masking above, vndf::AcrossMasking across = {}) {
+    return {above, across};
+  }
   template <class Function>
   VNDF_INLINE void each(Function f) {
     alpha.each(f);
@@ -49,12 +52,15 @@ struct Alpha {
 /// Plain GGX whose axes theta_z turns about n.
 struct TurnedAlpha {
   using Given = vndf::Ellipsoid;
-  using Masking = lanes::Smith<true>;  // what eq. 6 of Walter et al. 2015 is without theta_x and theta_y
   struct Room {};
   InColumns2 alpha;
   InColumn angle;
 
   VNDF_INLINE TurnedAlpha(const Given& given, std::size_t, Room&) : alpha(given.alpha), angle(given.theta_z) {}
+  /// What eq. 6 of Walter et al. 2015 is without theta_x and theta_y.
+  static VNDF_INLINE constexpr lanes::Smith masking(vndf::Masking, vndf::AcrossMasking = {}) {
+    return lanes::kSeparable;
+  }
   template <class Function>
   VNDF_INLINE void each(Function f) {
     alpha.each(f), f(angle);
@@ -135,11 +141,12 @@ template <class For>
 class Matrix {
  public:
   using Given = vndf::Matrices;
-  using Masking = lanes::Lunes;
   using Room = Staged<For::template Kept>;
 
   VNDF_INLINE Matrix(const Given& given, std::size_t count, Room& room)
       : Matrix(given, given.per_lane ? *given.per_lane : kNone, count, room) {}
+
+  static VNDF_INLINE constexpr lanes::Lunes masking(vndf::Masking, vndf::AcrossMasking = {}) { return lanes::kLunes; }
 
   template <class Function>
   VNDF_INLINE void each(Function f) {

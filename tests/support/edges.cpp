@@ -116,6 +116,7 @@ Group any_group(Random& random, Kind kind, const Group& view) {
     case Kind::eta:
       return {random.below(2) ? pick(random, random.below(2) ? kEtas : kMoreEtas) : float(random.log_uniform(0.1, 10))};
     case Kind::u:
+    case Kind::probability:
       break;
   }
   return {any_number(random), any_number(random), any_number(random)};

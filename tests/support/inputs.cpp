@@ -26,6 +26,8 @@ float good_value(Random& random, Kind kind) {
       return random.below(2) ? 1.5f : float(random.uniform(0.4, 2.5));
     case Kind::u:
       return random.unit();
+    case Kind::probability:  // or one lobe alone
+      return random.below(4) ? random.unit() : float(random.below(2));
     case Kind::view:
     case Kind::light:
     case Kind::normal:

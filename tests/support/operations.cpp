@@ -55,13 +55,33 @@ Outputs optional(Outputs columns) {
 const Inputs wo = inputs("wo", Kind::view, &In::wo), wi = inputs("wi", Kind::light, &In::wi),
              wm = inputs("wm", Kind::normal, &In::wm), alpha = inputs("alpha", Kind::alpha, &In::alpha),
              theta = inputs("theta", Kind::theta, &In::theta), theta_z = {theta[2]},
-             eta = inputs("eta", Kind::eta, &In::eta), u3 = inputs("u", Kind::u, &In::u), u2 = {u3[0], u3[1]};
+             eta = inputs("eta", Kind::eta, &In::eta),
+             probability = inputs("reflection_probability", Kind::probability, &In::reflection_probability),
+             u3 = inputs("u", Kind::u, &In::u), u2 = {u3[0], u3[1]};
 
 const Outputs out_wm = outputs("wm", Result::normal, &Out::wm), out_wi = outputs("wi", Result::direction, &Out::wi),
               point = outputs("t", Result::point, &Out::t), pdf = outputs("pdf", Result::density, &Out::pdf),
               weight = outputs("weight", Result::weight, &Out::weight),
               f_cos = outputs("f_cos", Result::f_cos, &Out::f_cos), side = outputs("side", Result::side, &Out::side),
-              wo_dot_wm = outputs("wo_dot_wm", Result::cosine, &Out::wo_dot_wm);
+              wo_dot_wm = outputs("wo_dot_wm", Result::cosine, &Out::wo_dot_wm),
+              wi_dot_wm = outputs("wi_dot_wm", Result::cosine, &Out::wi_dot_wm),
+              reflectance = outputs("reflectance", Result::share, &Out::reflectance);
+
+/// Options of a dielectric, of which a lane may have some of its own.
+struct Dielectric {
+  Masking masking = Masking::height_correlated;
+  AcrossMasking across = AcrossMasking::separable;
+  bool radiance = false, given = false;
+
+  Inputs inputs() const { return given ? probability : Inputs(); }
+  DielectricOptions of(const In& in) const {
+    DielectricOptions options = masking;
+    options.across = across;
+    options.radiance = radiance;
+    if (given) options.reflection_probability = in.reflection_probability;
+    return options;
+  }
+};
 
 /// A kind of surface: its name, its columns, and what a function takes for them.
 template <class Of>
@@ -103,23 +123,25 @@ class Functions {
   }
   template <class... Options>
   void evaluate(const std::string& options_name, const Options&... options) {
-    add("evaluate_reflection", options_name, wo + wi + surface_.inputs, f_cos + pdf, Warp::concentric,
-        [=, of = of_](std::size_t n, const In& in, const Out& out) {
-          evaluate_reflection(n, in.wo, in.wi, of(in), {out.f_cos, out.pdf}, options...);
+    add("evaluate_reflection", options_name, wo + wi + surface_.inputs, f_cos + pdf + optional(wo_dot_wm),
+        Warp::concentric, [=, of = of_](std::size_t n, const In& in, const Out& out) {
+          evaluate_reflection(n, in.wo, in.wi, of(in), {out.f_cos, out.pdf, out.wo_dot_wm}, options...);
         });
   }
-  template <class... Options>
-  void dielectric(Warp warp, const std::string& options_name, const Options&... options) {
-    add("dielectric", name_of(warp) + options_name, wo + surface_.inputs + eta + u3, out_wi + pdf + weight + side, warp,
+  void dielectric(Warp warp, const std::string& options_name = "", const Dielectric& options = {}) {
+    add("dielectric", name_of(warp) + options_name, wo + surface_.inputs + eta + u3 + options.inputs(),
+        out_wi + pdf + weight + side + optional(out_wm + wo_dot_wm + wi_dot_wm + reflectance), warp,
         [=, of = of_](std::size_t n, const In& in, const Out& out) {
-          sample_dielectric(warp, n, in.wo, of(in), in.eta, in.u, {out.wi, out.pdf, out.weight, out.side}, options...);
+          sample_dielectric(
+              warp, n, in.wo, of(in), in.eta, in.u,
+              {out.wi, out.pdf, out.weight, out.side, out.wm, out.wo_dot_wm, out.wi_dot_wm, out.reflectance},
+              options.of(in));
         });
   }
-  template <class... Options>
-  void evaluate_across(const std::string& options_name, const Options&... options) {
-    add("evaluate_dielectric", options_name, wo + wi + surface_.inputs + eta, f_cos + pdf, Warp::concentric,
-        [=, of = of_](std::size_t n, const In& in, const Out& out) {
-          evaluate_dielectric(n, in.wo, in.wi, of(in), in.eta, {out.f_cos, out.pdf}, options...);
+  void evaluate_across(const std::string& options_name = "", const Dielectric& options = {}) {
+    add("evaluate_dielectric", options_name, wo + wi + surface_.inputs + eta + options.inputs(), f_cos + pdf,
+        Warp::concentric, [=, of = of_](std::size_t n, const In& in, const Out& out) {
+          evaluate_dielectric(n, in.wo, in.wi, of(in), in.eta, {out.f_cos, out.pdf}, options.of(in));
         });
   }
 
@@ -160,22 +182,41 @@ void add_plain(Rows& rows) {
       for (Warp warp : kWarps) functions.reflection(warp, reflection_name, options);
       functions.evaluate(reflection_name, options);
     }
-    for (Warp warp : kWarps) functions.dielectric(warp, name, masking);
-    functions.evaluate_across(name, masking);
+    for (Warp warp : kWarps) functions.dielectric(warp, name, {masking});
+    functions.evaluate_across(name, {masking});
   }
+  for (bool bounded : {false, true}) {
+    std::string name = bounded ? "_bounded_two_sided" : "_two_sided";
+    ReflectionOptions options{Masking::height_correlated, bounded, true};
+    functions.reflection(Warp::concentric, name, options);
+    functions.evaluate(name, options);
+  }
+  auto across = [&](const std::string& name, const Dielectric& options) {
+    functions.dielectric(Warp::concentric, name, options);
+    functions.evaluate_across(name, options);
+  };
+  across("_as_reflection", {{}, AcrossMasking::as_reflection});
+  across("_correlated_across", {{}, AcrossMasking::height_correlated});
+  across("_radiance", {{}, {}, true});
+  across("_probability", {{}, {}, false, true});
 }
 
-/// Ellipsoids, which have none.
+/// Ellipsoids, whose masking is their own.
 template <class Of>
 void add_ellipsoid(Rows& rows, const Surface<Of>& surface) {
   Functions functions(rows, surface);
   for (Warp warp : kWarps) {
     functions.normals(warp);
     functions.reflection(warp, "");
-    functions.dielectric(warp, "");
+    functions.dielectric(warp);
   }
   functions.evaluate("");
-  functions.evaluate_across("");
+  functions.evaluate_across();
+  const ReflectionOptions two_sided{{}, false, true};
+  functions.reflection(Warp::concentric, "_two_sided", two_sided);
+  functions.evaluate("_two_sided", two_sided);
+  functions.dielectric(Warp::concentric, "_probability", {{}, {}, true, true});
+  functions.evaluate_across("_probability", {{}, {}, true, true});
   functions.pdf_of_normals();
 }
 

@@ -12,10 +12,10 @@
 namespace vndf::testing {
 
 /// What is in a column of the inputs. It decides which values are tried.
-enum class Kind { view, light, normal, alpha, theta, eta, u };
+enum class Kind { view, light, normal, alpha, theta, eta, u, probability };
 
 /// What is in a column of the outputs. It decides what holds for every value.
-enum class Result { normal, direction, point, cosine, density, weight, f_cos, side };
+enum class Result { normal, direction, point, cosine, density, weight, f_cos, side, share };
 
 /// The columns of a call by name. A row reads those that its inputs name.
 struct In {
@@ -24,13 +24,14 @@ struct In {
   Columns3 theta{0, 0, 0};
   Column eta = 0;
   Columns3 u = wo;
+  Column reflection_probability = 0;
 
   Columns2 pair() const { return {u.x, u.y}; }
 };
 struct Out {
   Out3 wm{}, wi{};
   Out2 t{};
-  float *pdf{}, *weight{}, *f_cos{}, *side{}, *wo_dot_wm{};
+  float *pdf{}, *weight{}, *f_cos{}, *side{}, *wo_dot_wm{}, *wi_dot_wm{}, *reflectance{};
 };
 
 /// A column of a row. `index` counts the columns of its kind in that row.

@@ -33,19 +33,39 @@ VNDF_INLINE F refraction_over_reflection(const Cosines<F>& cos, F h2, F eta) {
   return (j + j + j + j) / h2;
 }
 
+/// What a caller may ask of the two lobes. Functions take any type with these members: one that loads the probability
+/// when it is asked for keeps no register before.
+template <class F>
+struct Lobes {
+  bool radiance = false;  // refracted light counts (index at wo / index at wi)^2
+  bool given = false;     // the probability of reflection is `probability`, and not Fresnel's share
+  F probability = F(0.f);
+
+  VNDF_INLINE F reflection() const { return probability; }
+};
+
 /// What light does at a facet, and the factors that the density of a reflected direction has there.
 template <class F>
 struct Crossing {
   F side;      // 1: reflected, -1: refracted
-  F share;     // Fresnel's
+  F share;     // Fresnel's, the probability of the side unless another is given
   F jacobian;  // 1, or refraction over reflection
 };
 
-/// Reflection where u is below Fresnel's share of it, else refraction.
+/// The probability of a side that is given, over Fresnel's share; 0 where light cannot take that side.
 template <class F>
-VNDF_INLINE Crossing<F> choose_side(const Cosines<F>& cos, const Index<F>& index, F u) {
-  auto f = fresnel(cos, index);
-  auto reflects = u < op::select(f.transmitted > F(0.f), f.reflected, F(2.f));
+VNDF_INLINE F given_over_share(const Crossing<F>& at, F reflection) {
+  F given = op::select(at.side > F(0.f), reflection, F(1.f) - reflection);
+  return op::select(at.share > F(0.f), given / at.share, F(0.f));
+}
+
+/// Reflection where u is below its probability, else refraction.
+template <class F, class Lobes>
+VNDF_INLINE Crossing<F> choose_side(const Fresnel<F>& f, const Cosines<F>& cos, const Index<F>& index, F u,
+                                    const Lobes& lobes) {
+  F reflection = op::select(f.transmitted > F(0.f), f.reflected, F(2.f));
+  if (lobes.given) reflection = op::select(lobes.reflection() < F(1.f), lobes.reflection(), F(2.f));
+  auto reflects = u < reflection;
   return {op::select(reflects, op::select(index_matched(index), F(-1.f), F(1.f)), F(-1.f)),
           op::select(reflects, f.reflected, f.transmitted),
           op::select(reflects, F(1.f), refraction_over_reflection(cos, f.bend * f.bend, index.eta))};
@@ -73,36 +93,39 @@ VNDF_INLINE Vec3<F> mirrored(Mask<F> below, const Vec3<F>& v) {
           op::select(below, F(0.f) - v.z, v.z)};
 }
 
-/// The weight of refraction, G1(wi), the masking of the two sides being independent. `length_i` = |A wi|.
-template <class F>
-VNDF_INLINE F refraction_weight(F wi_z, F length_i) {
-  return at_most_one((wi_z + wi_z) / (wi_z + length_i));
-}
-
 /// What the masking takes from a direction on the view's side or across, where G is that of wi turned to the view's
-/// side, Walter et al. 2015, eq. 7. Lengths are the same turned or not.
+/// side, Walter et al. 2015, eq. 7.
 template <class Masking, class F, class Shape = Vec2<F>>
 VNDF_INLINE auto shadowing_of(F side, const Vec3<F>& wi, const Shape& shape, const Masking& masking) {
-  if constexpr (Masking::kTellsSides)
+  if constexpr (Masking::kEven)
     return masking.shadowing(wi, shape);
   else
     return masking.shadowing(mirrored(side < F(0.f), wi), shape);
 }
-template <class Masking, class F, class Shadowing>
-VNDF_INLINE F dielectric_weight(F side, const SeenView<F>& view, F wi_z, const Masking& masking,
-                                const Shadowing& shadowing) {
+/// G2 / G1(wo), for energy or radiance.
+template <class Masking, class F, class Lobes, class Shadowing>
+VNDF_INLINE F dielectric_weight(F side, const SeenView<F>& view, F wi_z, const Index<F>& index, const Lobes& lobes,
+                                const Masking& masking, const Shadowing& shadowing) {
+  auto reflects = side > F(0.f);
   F weight = masking.weight(view, wi_z, shadowing);
-  if constexpr (Masking::kTellsSides)
-    weight = op::select(side > F(0.f), weight, refraction_weight(F(0.f) - wi_z, shadowing));
+  if constexpr (Masking::kEven)
+    weight = op::select(reflects, weight, masking.weight_across(view, F(0.f) - wi_z, shadowing));
+  if (lobes.radiance) weight = op::select(reflects, weight, weight / (index.eta * index.eta));
   return weight;
 }
 
 /// The density and the weight of a sampled direction.
-template <class F, class Masking, class Shadowing>
+template <class F, class Lobes, class Masking, class Shadowing>
 VNDF_INLINE Weighed<F> weigh_dielectric(const SeenView<F>& view, F wi_z, F spread, const Crossing<F>& at,
-                                        const Index<F>& index, const Masking& masking, const Shadowing& shadowing) {
+                                        const Index<F>& index, const Lobes& lobes, const Masking& masking,
+                                        const Shadowing& shadowing) {
   F pdf = at_most_delta(((F(kInv2Pi) / spread) * at.share) * at.jacobian);
-  F weight = dielectric_weight(at.side, view, wi_z, masking, shadowing);
+  F weight = dielectric_weight(at.side, view, wi_z, index, lobes, masking, shadowing);
+  if (lobes.given) {
+    F ratio = given_over_share(at, lobes.reflection());
+    pdf = at_most_delta(pdf * ratio);
+    weight = op::select(ratio > F(0.f), weight / ratio, F(0.f));
+  }
   auto straight = index_matched(index);
   pdf = op::select(straight, F(kDelta), pdf);
   weight = op::select(straight, F(1.f), weight);
@@ -116,13 +139,16 @@ struct DielectricSample {
   F pdf, weight;
   F side;
   Mask<F> straight;  // index-matched
+  Vec3<F> wm;        // on the side of the view
+  F cos_o, cos_i;    // its cosines
+  F reflectance;     // Fresnel's
 };
 
 /// Reflection or refraction at the visible normal that the warp maps u.x and u.y to; u.z chooses. `eta` is the index
 /// below the surface over the one above, whichever side the view is on.
-template <class Warp, class Masking, class F, class Shape = Vec2<F>>
+template <class Warp, class Masking, class F, class Shape = Vec2<F>, class Lobes = lanes::Lobes<F>>
 VNDF_INLINE DielectricSample<F> sample_dielectric(const Vec3<F>& wo_given, const Shape& shape, F eta, const Vec3<F>& u,
-                                                  const Masking& masking) {
+                                                  const Masking& masking, const Lobes& lobes = {}) {
   const auto& floats = narrowed(shape);
   auto below = wo_given.z < F(0.f);
   Vec3<F> wo = mirrored(below, wo_given);
@@ -131,11 +157,22 @@ VNDF_INLINE DielectricSample<F> sample_dielectric(const Vec3<F>& wo_given, const
   auto normal = normal_of(wo, facet, floats);
   auto unit = unit_normal(normal);
   auto in = incidence(wo, unit, index);
-  auto at = choose_side(in.cosines, index, u.z);
+  auto shares = fresnel(in.cosines, index);
+  auto at = choose_side(shares, in.cosines, index, u.z, lobes);
   Vec3<F> wi = leave(wo, reflect(wo, normal), in, unit.wm, at.side, index);
-  auto weighed = weigh_dielectric(view, wi.z, spread(facet.nh, normal, view.area, floats), at, index, masking,
+  auto weighed = weigh_dielectric(view, wi.z, spread(facet.nh, normal, view.area, floats), at, index, lobes, masking,
                                   shadowing_of(at.side, wi, floats, masking));
-  return {mirrored(below, wi), weighed.pdf, weighed.weight, at.side, index_matched(index)};
+  auto straight = index_matched(index);
+  F across = op::select(straight, unit.cos, at_most_one_cosine(in.cosines.g / index.eta));
+  return {mirrored(below, wi),
+          weighed.pdf,
+          weighed.weight,
+          at.side,
+          straight,
+          mirrored(below, unit.wm),
+          unit.cos,
+          op::select(at.side > F(0.f), unit.cos, F(0.f) - across),
+          shares.reflected};
 }
 
 /// The direction in which `sample` leaves, turned back from the frame that wo was turned to. Straight on it is -wo to
@@ -205,9 +242,9 @@ VNDF_INLINE Crossing<F> crossing_of(F wi_z, const PairNormal<F>& normal, const I
 }
 
 /// The BSDF of a pair of directions and the density that sample_dielectric has for it, Walter et al. 2007, eq. 20-21.
-template <class F, class Masking, class Shape = Vec2<F>>
+template <class F, class Masking, class Shape = Vec2<F>, class Lobes = lanes::Lobes<F>>
 VNDF_INLINE Evaluation<F> evaluate_dielectric(const Vec3<F>& wo_given, const Vec3<F>& wi_given, const Shape& shape,
-                                              F eta, const Masking& masking) {
+                                              F eta, const Masking& masking, const Lobes& lobes = {}) {
   auto below = wo_given.z < F(0.f);
   Vec3<F> wo = mirrored(below, wo_given), wi = mirrored(below, wi_given);
   auto index = index_seen(below, eta);
@@ -217,8 +254,11 @@ VNDF_INLINE Evaluation<F> evaluate_dielectric(const Vec3<F>& wo_given, const Vec
   F pdf = at_most_delta((pair_pdf(ndf_terms(normal.h, shape), view) * at.share) * at.jacobian);
   auto leaves =
       both_above(wo.z, op::abs(wi.z), view.area) & (at.share > F(0.f)) & possible(index) & !index_matched(index);
-  F weight = dielectric_weight(at.side, view, wi.z, masking, shadowing_of(at.side, wi, narrowed(shape), masking));
-  return {op::select(leaves, pdf * weight, F(0.f)), op::select(leaves, pdf, F(0.f))};
+  F weight = dielectric_weight(at.side, view, wi.z, index, lobes, masking,
+                               shadowing_of(at.side, wi, narrowed(shape), masking));
+  F f_cos = pdf * weight;
+  if (lobes.given) pdf = at_most_delta(pdf * given_over_share(at, lobes.reflection()));
+  return {op::select(leaves, f_cos, F(0.f)), op::select(leaves, pdf, F(0.f))};
 }
 
 }  // namespace VNDF_LANES_BUILD

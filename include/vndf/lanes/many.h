@@ -125,6 +125,10 @@ template <int bits, class T, int K>
 VNDF_INLINE Many<T, K> shift_left(const Many<T, K>& a) {
   return each([](const T& x) { return shift_left<bits>(x); }, a);
 }
+template <int bits, class T, int K>
+VNDF_INLINE Many<T, K> shift_right(const Many<T, K>& a) {
+  return each([](const T& x) { return shift_right<bits>(x); }, a);
+}
 template <class T, int K>
 VNDF_INLINE Many<T, K> abs(const Many<T, K>& a) {
   return each([](const T& x) { return abs(x); }, a);

@@ -3,11 +3,13 @@
 // Smith's functions are rational in v.z and a = |A v|, with A = diag(alpha_x, alpha_y, 1):
 // 1 + Lambda(v) = (a + v.z) / (2 v.z), and (a + v.z) / 2 is the projected area of what v sees.
 //
-// A masking has two functions: `shadowing(wi, shape)`, what it needs of the light's direction, and `weight`,
-// G2(wo, wi) / G1(wo).
+// A masking has `shadowing(wi, shape)`, what it needs of the light's direction, and two functions for G2(wo, wi) /
+// G1(wo): `weight`, and `weight_across` where wi is on the other side of the surface.
 #pragma once
 
+#include <vndf/lanes/beta.h>
 #include <vndf/lanes/shape.h>
+#include <vndf/vndf.h>
 
 namespace vndf::lanes {
 inline namespace VNDF_LANES_BUILD {
@@ -63,13 +65,20 @@ VNDF_INLINE F at_most_one(F weight) {
   return op::select(weight <= F(1.f), weight, F(1.f));
 }
 
+/// Lambda of a direction, from |A v|.
+template <class F>
+VNDF_INLINE F smith_lambda(F v_z, F length) {
+  F lambda = (length - v_z) / (v_z + v_z);
+  return op::select(lambda > F(0.f), lambda, F(0.f));
+}
+
 /// Smith's: G1(wo) G1(wi) if separable, else height-correlated, 1 / (1 + Lambda(wo) + Lambda(wi)), Heitz 2014, eq. 99.
-/// The weight is G2(wo, wi) / G1(wo) and, if the sampling is bounded, times the share of the visible area that it
-/// leaves.
-template <bool separable>
+/// If the sampling is bounded, the weight is times the share of the visible area that it leaves.
 struct Smith {
-  /// Refraction and reflection are masked differently.
-  static constexpr bool kTellsSides = true;
+  static constexpr bool kEven = true;  // what it needs of a direction is that of the opposite one
+
+  Masking masking;
+  AcrossMasking across = AcrossMasking::separable;
 
   /// |A wi|.
   template <class F>
@@ -80,23 +89,31 @@ struct Smith {
   }
 
   template <class F>
-  static VNDF_INLINE F weight(const SeenView<F>& view, F wi_z, F length_i) {
-    if constexpr (separable)
+  VNDF_INLINE F weight(const SeenView<F>& view, F wi_z, F length_i) const {
+    if (masking == Masking::separable)
       return at_most_one(((wi_z + wi_z) * view.area) / ((wi_z + length_i) * (view.z + view.length)));
-    else
+    return at_most_one((wi_z * view.area) / (wi_z * view.length + length_i * view.z));
+  }
+
+  /// Of all visible normals. `wi_z` is that of wi mirrored to the view's side.
+  template <class F>
+  VNDF_INLINE F weight_across(const SeenView<F>& view, F wi_z, F length_i) const {
+    if (across == AcrossMasking::as_reflection)
       return at_most_one((wi_z * view.area) / (wi_z * view.length + length_i * view.z));
+    if (across == AcrossMasking::height_correlated)
+      return at_most_one(x_beta(smith_lambda(view.z, view.length), smith_lambda(wi_z, length_i)));
+    return at_most_one((wi_z + wi_z) / (wi_z + length_i));  // G1(wi)
   }
 };
-constexpr Smith<false> kHeightCorrelated;
-constexpr Smith<true> kSeparable;
+constexpr Smith kHeightCorrelated{Masking::height_correlated};
+constexpr Smith kSeparable{Masking::separable};
 
 /// The lunes of an ellipsoid (Walter et al. 2015).
 ///
 /// G = G1(wo) G1(wi), eq. 5, with G1(v) = min(1, 2 v.z / (|A v| + (A v).z)), eq. 6. Leaning ellipsoids can show less
 /// than the surface that they stand for; the minimum keeps G1 plausible.
 struct Lunes {
-  /// The side of the light does not matter: wi is turned to the side of the view.
-  static constexpr bool kTellsSides = false;
+  static constexpr bool kEven = false;
 
   /// G1(wi) as a quotient of two positive numbers.
   template <class F>
@@ -122,6 +139,10 @@ struct Lunes {
   static VNDF_INLINE F weight(const SeenView<F>& view, F, const Shadowing<F>& light) {
     F larger = op::from_bits(op::max(op::bits(view.area), op::bits(view.z + view.z)));
     return at_most_one((view.area * light.numerator) / (larger * light.denominator));
+  }
+  template <class F>
+  static VNDF_INLINE F weight_across(const SeenView<F>& view, F wi_z, const Shadowing<F>& light) {
+    return weight(view, wi_z, light);
   }
 };
 constexpr Lunes kLunes;

@@ -221,6 +221,13 @@ VNDF_INLINE F pair_pdf(const NdfTerms<F>& ndf_terms, const SeenView<F>& view) {
   return at_most_delta(ndf(ndf_terms) / (view.area + view.area));
 }
 
+/// The cosine of two unit vectors to what lies between them is half the length of their sum.
+template <class F>
+VNDF_INLINE F half_cosine(const Vec3<F>& wo, const Vec3<F>& wi) {
+  Vec3<F> h = {wo.x + wi.x, wo.y + wi.y, wo.z + wi.z};
+  return at_most_one_cosine(op::sqrt(dot(h, h)) * F(0.5f));
+}
+
 /// f cos = pdf weight. h = wo + wi is taken as it is: one rounding for each component, none for its length.
 template <class F, class Masking, class Shape>
 VNDF_INLINE Evaluation<F> evaluate_seen(const Vec3<F>& wo, const Vec3<F>& wi, const Shape& shape,

@@ -191,6 +191,15 @@ template <int bits, class Arch>
 VNDF_INLINE IntBatch<Arch> shift_left(IntBatch<Arch> a) {
   return a << bits;
 }
+/// Of signed integers: the sign stays.
+template <int bits>
+VNDF_INLINE std::int32_t shift_right(std::int32_t a) {
+  return a >> bits;
+}
+template <int bits, class Arch>
+VNDF_INLINE IntBatch<Arch> shift_right(IntBatch<Arch> a) {
+  return a >> bits;
+}
 
 /// |a|, by clearing the sign bit.
 template <class F>
