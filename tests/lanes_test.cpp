@@ -207,6 +207,7 @@ Calls lane_calls() {
   across(plain, "_correlated_across", correlated, {});
   across(plain, "_radiance", lanes::kHeightCorrelated, {true, false});
   across(plain, "_probability", lanes::kHeightCorrelated, {false, true});
+  across(plain, "_radiance_probability_separable", lanes::kSeparable, {true, true});
   auto normals = [](auto functions) {
     for_each_warp([&](auto w, const std::string& warp) { functions.template normals<decltype(w)>(warp); });
     functions.pdf_of_normals();
@@ -218,7 +219,7 @@ Calls lane_calls() {
     });
     functions.evaluate_reflection("", masking);
     functions.evaluate_dielectric("", masking);
-    across(functions, "_probability", masking, {true, true});
+    across(functions, "_radiance_probability", masking, {true, true});
     normals(functions);
   };
   normals(plain);

@@ -250,9 +250,11 @@ struct DielectricSamples {
 /// eta     index of refraction below the surface (z < 0) over the index above it.
 /// u       three uniform random numbers in [0, 1]: two for the normal. The third chooses reflection where it is less
 ///         than Fresnel's reflectance for unpolarised light, or than the probability given.
-/// wi      unit, on wo's side or across; written in any case.
+/// wi      unit, on wo's side or across; written in any case, but of no use where reflection is total and refraction
+/// was
+///         chosen by a given probability.
 /// pdf     density of wi over solid angle, with the probability of the choice and the Jacobian of the half vector,
-///         eq. 14 and 17. 0, like weight, where wi comes out at the wrong side of the surface.
+///         eq. 14 and 17. 0, like weight, where wi comes out at the wrong side of the surface, or could not go there.
 /// weight  f(wo, wi) |wi.z| / pdf: G2(wo, wi) / G1(wo), in [0, 1], since Fresnel's factor is in the choice. Where the
 ///         probability of the choice was given, it has Fresnel's factor over that probability.
 /// side    1 where wi is a reflection, -1 where it is a refraction.

@@ -29,6 +29,7 @@ template <class Surface>
 static void evaluate_two_sided(std::size_t count, const Columns3& wo, const Columns3& wi, const Surface& surface,
                                const Evaluations& out, ReflectionOptions options) noexcept {
   expect_written(count, out);
+  expect_given(count, wo, wi, surface);
   options.two_sided = false;
   for (std::size_t begin = 0; begin < count; begin += kTwoSidedBlock) {
     const Heights heights(wo.z, begin, count);

@@ -33,6 +33,7 @@ template <class Surface>
 static void sample_two_sided(Warp warp, std::size_t count, const Columns3& wo, const Surface& surface,
                              const Columns2& u, const ReflectionSamples& out, ReflectionOptions options) noexcept {
   expect_written(count, out);
+  expect_given(count, wo, surface, u);
   options.two_sided = false;
   for (std::size_t begin = 0; begin < count; begin += kTwoSidedBlock) {
     const Heights heights(wo.z, begin, count);

@@ -10,7 +10,7 @@ namespace vndf {
 
 // Columns from an index on.
 inline Column from(const Column& c, std::size_t i) noexcept {
-  return c.data ? Column(c.data + i) : c;  // a null pointer stays one, to be asserted
+  return c.data ? Column(c.data + i) : c;
 }
 inline Columns2 from(const Columns2& c, std::size_t i) noexcept {
   return {from(c.x, i), from(c.y, i)};

@@ -74,6 +74,8 @@ struct Dielectric {
   bool radiance = false, given = false;
 
   Inputs inputs() const { return given ? probability : Inputs(); }
+  /// Of energy that Fresnel's share chooses it is at most 1.
+  Outputs weight() const { return outputs("weight", radiance || given ? Result::f_cos : Result::weight, &Out::weight); }
   DielectricOptions of(const In& in) const {
     DielectricOptions options = masking;
     options.across = across;
@@ -130,7 +132,7 @@ class Functions {
   }
   void dielectric(Warp warp, const std::string& options_name = "", const Dielectric& options = {}) {
     add("dielectric", name_of(warp) + options_name, wo + surface_.inputs + eta + u3 + options.inputs(),
-        out_wi + pdf + weight + side + optional(out_wm + wo_dot_wm + wi_dot_wm + reflectance), warp,
+        out_wi + pdf + options.weight() + side + optional(out_wm + wo_dot_wm + wi_dot_wm + reflectance), warp,
         [=, of = of_](std::size_t n, const In& in, const Out& out) {
           sample_dielectric(
               warp, n, in.wo, of(in), in.eta, in.u,
@@ -185,12 +187,12 @@ void add_plain(Rows& rows) {
     for (Warp warp : kWarps) functions.dielectric(warp, name, {masking});
     functions.evaluate_across(name, {masking});
   }
-  for (bool bounded : {false, true}) {
-    std::string name = bounded ? "_bounded_two_sided" : "_two_sided";
-    ReflectionOptions options{Masking::height_correlated, bounded, true};
+  auto two_sided = [&](const std::string& name, const ReflectionOptions& options) {
     functions.reflection(Warp::concentric, name, options);
     functions.evaluate(name, options);
-  }
+  };
+  two_sided("_two_sided_separable", {Masking::separable, false, true});
+  two_sided("_bounded_two_sided", {Masking::height_correlated, true, true});
   auto across = [&](const std::string& name, const Dielectric& options) {
     functions.dielectric(Warp::concentric, name, options);
     functions.evaluate_across(name, options);
@@ -199,6 +201,7 @@ void add_plain(Rows& rows) {
   across("_correlated_across", {{}, AcrossMasking::height_correlated});
   across("_radiance", {{}, {}, true});
   across("_probability", {{}, {}, false, true});
+  across("_radiance_probability_separable", {Masking::separable, {}, true, true});
 }
 
 /// Ellipsoids, whose masking is their own.
@@ -215,8 +218,8 @@ void add_ellipsoid(Rows& rows, const Surface<Of>& surface) {
   const ReflectionOptions two_sided{{}, false, true};
   functions.reflection(Warp::concentric, "_two_sided", two_sided);
   functions.evaluate("_two_sided", two_sided);
-  functions.dielectric(Warp::concentric, "_probability", {{}, {}, true, true});
-  functions.evaluate_across("_probability", {{}, {}, true, true});
+  functions.dielectric(Warp::concentric, "_radiance_probability", {{}, {}, true, true});
+  functions.evaluate_across("_radiance_probability", {{}, {}, true, true});
   functions.pdf_of_normals();
 }
 
@@ -308,7 +311,9 @@ const Operation* evaluation_of(const Operation& row) {
 const Operation* normals_of(const Operation& row) {
   std::string function = "reflection", warp = kWarpNames[int(row.warp)];
   std::size_t at = row.name.find(warp);
-  if (row.name.find(function) != 0 || row.name.find("_bounded") != std::string::npos) return nullptr;
+  for (const char* other : {"_bounded", "_two_sided"})
+    if (row.name.find(other) != std::string::npos) return nullptr;
+  if (row.name.find(function) != 0) return nullptr;
   return find_operation("normals" + row.name.substr(function.size(), at + warp.size() - function.size()));
 }
 

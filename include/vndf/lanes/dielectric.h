@@ -172,7 +172,7 @@ VNDF_INLINE DielectricSample<F> sample_dielectric(const Vec3<F>& wo_given, const
           mirrored(below, unit.wm),
           unit.cos,
           op::select(at.side > F(0.f), unit.cos, F(0.f) - across),
-          shares.reflected};
+          op::select(straight, F(0.f), shares.reflected)};
 }
 
 /// The direction in which `sample` leaves, turned back from the frame that wo was turned to. Straight on it is -wo to
