@@ -102,7 +102,8 @@ TEST_P(Bits, OfNoAnglesAreThoseOfPlainGgx) {
         for (std::size_t i = 0; i < in[0].size(); ++i) {
           float exact = expected[across][i], found = out[across][i];
           bool unit = std::fabs(std::hypot(in[0][i], in[1][i], in[2][i]) - 1) < 1e-3f;
-          ASSERT_TRUE(!unit || std::fabs(found - exact) <= 0x1p-22f * exact)
+          float bound = operation().takes(Kind::probability) ? 0x1p-21f : 0x1p-22f;  // two more quotients
+          ASSERT_TRUE(!unit || std::fabs(found - exact) <= bound * exact)
               << found << " for " << describe(plain, of_plain, i);
           out[across][i] = exact;
         }

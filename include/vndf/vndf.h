@@ -250,9 +250,8 @@ struct DielectricSamples {
 /// eta     index of refraction below the surface (z < 0) over the index above it.
 /// u       three uniform random numbers in [0, 1]: two for the normal. The third chooses reflection where it is less
 ///         than Fresnel's reflectance for unpolarised light, or than the probability given.
-/// wi      unit, on wo's side or across; written in any case, but of no use where reflection is total and refraction
-/// was
-///         chosen by a given probability.
+/// wi      unit, on wo's side or across; written in any case. Where reflection is total and a given probability chose
+///         refraction it is a reflection, with pdf 0.
 /// pdf     density of wi over solid angle, with the probability of the choice and the Jacobian of the half vector,
 ///         eq. 14 and 17. 0, like weight, where wi comes out at the wrong side of the surface, or could not go there.
 /// weight  f(wo, wi) |wi.z| / pdf: G2(wo, wi) / G1(wo), in [0, 1], since Fresnel's factor is in the choice. Where the
@@ -265,7 +264,7 @@ struct DielectricSamples {
 ///
 /// Domain   alpha from 1e-6 to 100, eta from 0.1 to 10.
 /// Error    ratio at most 16 for wi, pdf and weight, where |eta - 1| >= 1e-4 and |wo| is within 8 eps of 1. A weight w
-///          of height-correlated masking across is within 30 eps (1 - ln w), and at least 2^-116. For |wo|
+///          of height-correlated masking across is within 30 eps (1 - ln w), and at least 2^-118. For |wo|
 ///          off by up to 1e-3 it holds for reflected wi and the weight alone. pdf is to 2^-62 absolute too, and the
 ///          weight is that of a wi whose z may be 2^-42 off.
 /// Special  |eta - 1| < 2^-16 (from below, |1 / eta - 1|) counts as index-matched: wi = -wo, side -1, weight 1, pdf

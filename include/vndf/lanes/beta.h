@@ -50,7 +50,7 @@ VNDF_INLINE F exp_of_minus(F a) {
 /// Of the powers, X Y^3 / S^4 goes to the quotients: the rest is exp(-(a + 3/2) ln(S / X) - b ln(S / Y)).
 ///
 /// Relative error at most 45 x 2^-24 for results from 0.01 (36.5 measured), and 30 x 2^-24 (1 - ln) from 1e-30 (19.9
-/// measured; tests/shading/options_test.cpp). None is below 2^-116.
+/// measured; tests/shading/options_test.cpp). None is below 2^-118.
 template <class F>
 VNDF_INLINE F x_beta(F a, F b) {
   F x = a + F(3.f), y = b + F(3.f);

@@ -123,8 +123,9 @@ VNDF_INLINE Weighed<F> weigh_dielectric(const SeenView<F>& view, F wi_z, F sprea
   F weight = dielectric_weight(at.side, view, wi_z, index, lobes, masking, shadowing);
   if (lobes.given) {
     F ratio = given_over_share(at, lobes.reflection());
-    pdf = at_most_delta(pdf * ratio);
-    weight = op::select(ratio > F(0.f), weight / ratio, F(0.f));
+    auto can = ratio > F(0.f);
+    pdf = op::select(can, at_most_delta(pdf * ratio), F(0.f));
+    weight = op::select(can, weight / ratio, F(0.f));
   }
   auto straight = index_matched(index);
   pdf = op::select(straight, F(kDelta), pdf);
@@ -159,7 +160,9 @@ VNDF_INLINE DielectricSample<F> sample_dielectric(const Vec3<F>& wo_given, const
   auto in = incidence(wo, unit, index);
   auto shares = fresnel(in.cosines, index);
   auto at = choose_side(shares, in.cosines, index, u.z, lobes);
-  Vec3<F> wi = leave(wo, reflect(wo, normal), in, unit.wm, at.side, index);
+  F way = at.side;
+  if (lobes.given) way = op::select(at.share > F(0.f), way, F(1.f));  // reflection is total, and counts nothing
+  Vec3<F> wi = leave(wo, reflect(wo, normal), in, unit.wm, way, index);
   auto weighed = weigh_dielectric(view, wi.z, spread(facet.nh, normal, view.area, floats), at, index, lobes, masking,
                                   shadowing_of(at.side, wi, floats, masking));
   auto straight = index_matched(index);
@@ -171,7 +174,7 @@ VNDF_INLINE DielectricSample<F> sample_dielectric(const Vec3<F>& wo_given, const
           straight,
           mirrored(below, unit.wm),
           unit.cos,
-          op::select(at.side > F(0.f), unit.cos, F(0.f) - across),
+          op::select(way > F(0.f), unit.cos, F(0.f) - across),
           op::select(straight, F(0.f), shares.reflected)};
 }
 
