@@ -160,12 +160,13 @@ VNDF_INLINE DielectricSample<F> sample_dielectric(const Vec3<F>& wo_given, const
   auto in = incidence(wo, unit, index);
   auto shares = fresnel(in.cosines, index);
   auto at = choose_side(shares, in.cosines, index, u.z, lobes);
+  auto straight = index_matched(index);
   F way = at.side;
-  if (lobes.given) way = op::select(at.share > F(0.f), way, F(1.f));  // reflection is total, and counts nothing
+  if (lobes.given)  // where it cannot refract it is a reflection, and counts nothing
+    way = op::select((at.share > F(0.f)) | straight, way, F(1.f));
   Vec3<F> wi = leave(wo, reflect(wo, normal), in, unit.wm, way, index);
   auto weighed = weigh_dielectric(view, wi.z, spread(facet.nh, normal, view.area, floats), at, index, lobes, masking,
                                   shadowing_of(at.side, wi, floats, masking));
-  auto straight = index_matched(index);
   F across = op::select(straight, unit.cos, at_most_one_cosine(in.cosines.g / index.eta));
   return {mirrored(below, wi),
           weighed.pdf,
