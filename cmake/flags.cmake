@@ -27,7 +27,7 @@ set(vndf_any_processor "SHELL:${vndf_any_processor}")
 
 # Of a source file of the library. No link-time optimisation: an inline function of one instruction set could be inlined
 # into, or kept for, another, and no other compiler could link the archive.
-set(vndf_compile_options -Wall -Wextra ${vndf_exact} ${vndf_any_processor}
+set(vndf_compile_options -Wall -Wextra -Wpedantic -Wconversion -Wshadow ${vndf_exact} ${vndf_any_processor}
     "SHELL:-fno-math-errno -fno-exceptions -fno-lto")
 
 # Kernels are fast in any host: one without a build type would have them 200 times slower.

@@ -30,11 +30,11 @@ struct Evaluation {
     pdf.store(i, value.pdf);
   }
   template <class F, class Shape>
-  VNDF_INLINE lanes::Evaluation<F> evaluate(const Vec3<F>& wo, const Vec3<F>& wi, const Shape& shape) const {
+  VNDF_INLINE lanes::Evaluation<F> evaluate(const Vec3<F>& view, const Vec3<F>& light, const Shape& shape) const {
     if constexpr (bounded)
-      return lanes::evaluate_reflection_bounded(wo, wi, shape, Surface::masking(masking));
+      return lanes::evaluate_reflection_bounded(view, light, shape, Surface::masking(masking));
     else
-      return lanes::evaluate_reflection(wo, wi, shape, Surface::masking(masking));
+      return lanes::evaluate_reflection(view, light, shape, Surface::masking(masking));
   }
 };
 

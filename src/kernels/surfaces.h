@@ -186,7 +186,7 @@ class Matrix {
         room_(&room) {
     if (per_lane_) return;
     auto a = vndf::ShapeAccess::get(given.one);
-    auto all = [](const lanes::Split<float>& e) { return lanes::Split<Vector>{Vector(e.high), Vector(e.low)}; };
+    auto all = [](const lanes::Split<float>& x) { return lanes::Split<Vector>{Vector(x.high), Vector(x.low)}; };
     auto kept = For::of(lanes::Triangle<Vector>{
         Vector(a.xx), all(a.yx), all(a.yy), all(a.zx), all(a.zy), {Vector(a.azimuth.cos), Vector(a.azimuth.sin)}});
     for (std::size_t i = 0; i < kBlock && i < count; i += kWidth) room.store(i, kept);

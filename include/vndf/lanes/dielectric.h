@@ -80,7 +80,7 @@ VNDF_INLINE Vec3<F> leave(const Vec3<F>& wo, const Vec3<F>& reflected, const Inc
   F inv_eta = F(1.f) / index.eta;
   F g = in.cosines.g - op::select(is_small(index), dot(in.t, wm), F(0.f));
   auto back = [&](F o, F t, F m) { return op::select(straight, o, (t + g * m) * inv_eta); };
-  auto choose = [&](F reflection, F back) { return op::select(reflects, reflection, F(0.f) - back); };
+  auto choose = [&](F reflection, F past) { return op::select(reflects, reflection, F(0.f) - past); };
   return {choose(reflected.x, back(wo.x, in.t.x, wm.x)), choose(reflected.y, back(wo.y, in.t.y, wm.y)),
           choose(reflected.z, at_most_one_cosine(back(wo.z, in.t.z, wm.z)))};
 }
@@ -130,7 +130,8 @@ VNDF_INLINE Weighed<F> weigh_dielectric(const SeenView<F>& view, F wi_z, F sprea
   auto straight = index_matched(index);
   pdf = op::select(straight, F(kDelta), pdf);
   weight = op::select(straight, F(1.f), weight);
-  auto leaves = both_above(view.z, at.side * wi_z, view.area) & possible(index);
+  auto refracts = possible(index);
+  auto leaves = both_above(view.z, at.side * wi_z, view.area) & refracts;
   return {op::select(leaves, pdf, F(0.f)), op::select(leaves, weight, F(0.f))};
 }
 

@@ -18,7 +18,7 @@ struct Many {
   }
   static VNDF_INLINE Many load_unaligned(const float* p) {
     Many result;
-    for (int k = 0; k < K; ++k) result.v[k] = op::load<T>(p + k * kWidth<T>);
+    for (int k = 0; k < K; ++k) result.v[k] = op::load<T>(p + std::size_t(k) * kWidth<T>);
     return result;
   }
 };
@@ -148,11 +148,11 @@ VNDF_INLINE auto narrow(const Many<T, K>& a) {
 
 template <class T, int K>
 VNDF_INLINE void store(const Many<T, K>& a, float* p) {
-  for (int k = 0; k < K; ++k) store(a.v[k], p + k * kWidth<T>);
+  for (int k = 0; k < K; ++k) store(a.v[k], p + std::size_t(k) * kWidth<T>);
 }
 template <class T, int K>
 VNDF_INLINE void stream(const Many<T, K>& a, float* p) {
-  for (int k = 0; k < K; ++k) stream(a.v[k], p + k * kWidth<T>);
+  for (int k = 0; k < K; ++k) stream(a.v[k], p + std::size_t(k) * kWidth<T>);
 }
 
 }  // namespace op
