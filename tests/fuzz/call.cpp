@@ -188,11 +188,14 @@ bool as_promised(const Call& call, const Results& out, std::size_t c, std::size_
       return value >= 0 && value <= 0x1p60;
     case Result::weight:
       return value >= 0 && value <= 1;
+    case Result::share:  // of which no more is promised
+      return value >= 0 && value <= 1 + 8 * kEps;
     case Result::side:
       return value == 1 || value == -1;
-    default:
+    case Result::f_cos:
       return value >= 0;
   }
+  return false;
 }
 
 std::string check(const Call& call, const Results& out) {

@@ -45,6 +45,8 @@ double number(Source& source, Kind kind, bool any_roughness) {
       return source.one_in(8) ? -source.log_uniform(1e-30, 1) : source.log_uniform(1e-30, 0x1p24);
     case Kind::theta:
       return source.one_in(3) ? 0 : source.uniform(-3.2, 3.2);
+    case Kind::probability:
+      return source.one_in(4) ? source.below(2) : source.uniform(0, 1);
     default:  // an index of refraction
       return source.one_in(4) ? 1 + source.uniform(-1e-4, 1e-4) : source.log_uniform(0.1, 10);
   }
@@ -130,10 +132,15 @@ bool in_domain(const testing::Operation& row, const std::vector<Values>& in, std
         return value >= 0.1 && value <= 10;
       case Kind::u:
         return value >= 0 && value <= 1;
-      default:
+      case Kind::probability:  // the weight is divided by it, or by what it is off 1
+        return value == 0 || (value >= 0x1p-60 && value <= 1);
+      case Kind::view:
+      case Kind::light:
+      case Kind::normal:
         if (takes_any_view(row)) return std::fabs(value) < 0x1p98;
         return row.inputs[c].index > 0 || std::fabs(length(in, c, lane) - 1) <= 8 * 0x1p-24;
     }
+    return false;
   };
   for (std::size_t c = 0; c < in.size(); ++c)
     if (!value_is_good(c)) return false;
