@@ -40,14 +40,6 @@ void shade_by_ndf(const Shape& shape, const Sampling& sampling, Batch& b, const 
     b.light_pdf[i] = b.light_pdf[i] > 0.f ? b.spare[i] / (4.f * std::max(b.light_cosine[i], 1e-15f)) : 0.f;
 }
 
-/// |wo + wi| / 2 is the cosine of either to the half vector.
-void cosines_to_light(Batch& b) {
-  for (std::uint32_t i = 0; i < b.count; ++i) {
-    Vec3 h = b.wo.get(i) + b.light.get(i);
-    b.light_cosine[i] = std::min(1.f, 0.5f * std::sqrt(dot(h, h)));
-  }
-}
-
 vndf::ReflectionOptions options_of(const Sampling& sampling) {
   vndf::ReflectionOptions options;
   options.bounded = sampling.sampler == Sampler::bounded;
@@ -62,7 +54,7 @@ void shade_batch(Kind kind, const vndf::Ellipsoid& leaning, const Sampling& samp
   const bool ndf = sampling.sampler == Sampler::ndf;
   vndf::ReflectionSamples samples{out(b.wi), b.pdf.data(), b.weight.data()};
   samples.wo_dot_wm = b.cosine.data();
-  const vndf::Evaluations lights{b.light_f_cos.data(), b.light_pdf.data()};
+  const vndf::Evaluations lights{b.light_f_cos.data(), b.light_pdf.data(), b.light_cosine.data()};
   switch (kind) {
     case Kind::diffuse:  // needs no normals
       break;
@@ -70,7 +62,8 @@ void shade_batch(Kind kind, const vndf::Ellipsoid& leaning, const Sampling& samp
       vndf::sample_dielectric(sampling.warp, b.count, in(b.wo), alpha, b.eta.data(),
                               {b.u.x.data(), b.u.y.data(), b.u.z.data()},
                               {out(b.wi), b.pdf.data(), b.weight.data(), b.side.data()});
-      vndf::evaluate_dielectric(b.count, in(b.wo), in(b.light), alpha, b.eta.data(), lights);
+      vndf::evaluate_dielectric(b.count, in(b.wo), in(b.light), alpha, b.eta.data(),
+                                {b.light_f_cos.data(), b.light_pdf.data()});
       break;
     case Kind::brushed:
     case Kind::leaning:
@@ -84,7 +77,6 @@ void shade_batch(Kind kind, const vndf::Ellipsoid& leaning, const Sampling& samp
       vndf::sample_reflection(sampling.warp, b.count, in(b.wo), alpha, u, samples, options_of(sampling));
       vndf::evaluate_reflection(b.count, in(b.wo), in(b.light), alpha, lights, options_of(sampling));
   }
-  cosines_to_light(b);
 }
 
 void evaluate_batch(const Sampling& sampling, Batch& b) {

@@ -21,14 +21,12 @@ void shade_batch(Kind kind, const vndf::Ellipsoid& shape, const Sampling& sampli
     lanes::Vec2<F> alpha{load(b.alpha_x), load(b.alpha_y)}, u{load(b.u.x), load(b.u.y)};
     auto sample = lanes::sample_reflection<lanes::Concentric>(wo, alpha, u, lanes::kHeightCorrelated);
     auto lit = lanes::evaluate_reflection(wo, light, alpha, lanes::kHeightCorrelated);
-    auto h = lanes::Vec3<F>{wo.x + light.x, wo.y + light.y, wo.z + light.z};
-    F half = F(0.5f) * lanes::op::sqrt(lanes::dot(h, h));
     auto store = [i](F value, auto& column) { value.store_unaligned(column.data() + i); };
     store(sample.wi.x, b.wi.x), store(sample.wi.y, b.wi.y), store(sample.wi.z, b.wi.z);
     store(sample.pdf, b.pdf), store(sample.weight, b.weight);
     store(lanes::unit_normal(sample.normal).cos, b.cosine);
     store(lit.f_cos, b.light_f_cos), store(lit.pdf, b.light_pdf);
-    store(lanes::op::select(half < F(1.f), half, F(1.f)), b.light_cosine);
+    store(lanes::half_cosine(wo, light), b.light_cosine);
   }
 }
 
