@@ -225,7 +225,7 @@ struct DielectricOptions {
   /// wi)^2. Paths from the camera carry radiance, paths from lights energy.
   bool radiance = false;
   /// The probability of reflection, in [0, 1], in place of Fresnel's reflectance: 1 asks for reflection alone, 0 for
-  /// refraction alone. pdf and weight follow.
+  /// refraction alone. pdf and weight follow; probabilities below 2^-60 can make weights that are infinite.
   std::optional<Column> reflection_probability = std::nullopt;
 
   constexpr DielectricOptions(Masking masking_ = Masking::height_correlated) noexcept : masking(masking_) {}
@@ -260,7 +260,7 @@ struct DielectricSamples {
 /// wm           the unit normal, on the side of the view.
 /// wo_dot_wm    its cosine to the view, in [0, 1].
 /// wi_dot_wm    its cosine to wi: the same for a reflection, negative for a refraction.
-/// reflectance  Fresnel's.
+/// reflectance  Fresnel's, at most 1 + 4 eps; 0 where the surface is index-matched.
 ///
 /// Domain   alpha from 1e-6 to 100, eta from 0.1 to 10.
 /// Error    ratio at most 16 for wi, pdf and weight, where |eta - 1| >= 1e-4 and |wo| is within 8 eps of 1. A weight w
