@@ -263,10 +263,10 @@ struct DielectricSamples {
 /// reflectance  Fresnel's, at most 1 + 4 eps; 0 where the surface is index-matched.
 ///
 /// Domain   alpha from 1e-6 to 100, eta from 0.1 to 10.
-/// Error    ratio at most 16 for wi, pdf and weight, where |eta - 1| >= 1e-4 and |wo| is within 8 eps of 1. A weight w
-///          of height-correlated masking across is within 30 eps (1 - ln w), and at least 2^-118. For |wo|
+/// Error    ratio at most 16 for wi, pdf and weight, where |eta - 1| >= 1e-4 and |wo| is within 8 eps of 1. For |wo|
 ///          off by up to 1e-3 it holds for reflected wi and the weight alone. pdf is to 2^-62 absolute too, and the
-///          weight is that of a wi whose z may be 2^-42 off.
+///          weight is that of a wi whose z may be 2^-42 off. A weight w of height-correlated masking across is within
+///          30 eps (1 - ln w), and at least 2^-118.
 /// Special  |eta - 1| < 2^-16 (from below, |1 / eta - 1|) counts as index-matched: wi = -wo, side -1, weight 1, pdf
 ///          2^60; weight and pdf 0 for a horizontal view. eta 0, negative, NaN or not between 2^-20 and 2^20: pdf and
 ///          weight 0. wo = 0: the same.

@@ -41,8 +41,8 @@ static void sample_two_sided(Warp warp, std::size_t count, const Columns3& wo, c
     sample_reflection(warp, heights.n, {from(wo.x, begin), from(wo.y, begin), heights.upper}, from(surface, begin),
                       from(u, begin), {wi, out.pdf + begin, out.weight + begin, wm, from(out.wo_dot_wm, begin)},
                       options);
-    heights.mirror(wi.z);
-    if (wm.z) heights.mirror(wm.z);
+    heights.mirror(wi.z, 0, wi.z);
+    if (wm.z) heights.mirror(wm.z, 0, wm.z);
   }
 }
 
