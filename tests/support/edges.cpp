@@ -82,9 +82,9 @@ Group any_light(Random& random, const Group& view) {
   float off = pick(random, offsets);
   return {view[0] == 0 ? off : -view[0] * (1 - off), -view[1], random.below(2) ? pick(random, kHeights) : -view[2]};
 }
-Group tiny_alpha(Random& random, bool may_be_zero) {
+Group tiny_alpha(Random& random) {
   float alpha = pick(random, kTinyAlphas);
-  return may_be_zero && random.below(2) ? pick(random, kMirrors) : Group{alpha, alpha};
+  return random.below(2) ? pick(random, kMirrors) : Group{alpha, alpha};
 }
 Group any_alpha(Random& random) {
   if (random.below(4) == 0) return pick(random, kPairsOfAlpha);
@@ -201,8 +201,6 @@ bool survives_heuristics(float pdf) {
 }
 
 Table edge_inputs(const Operation& operation, Roughness roughness, std::size_t count, std::uint64_t seed) {
-  // Seen along an axis where alpha is 0, a surface on the horizon has no area, and its normals no density.
-  const bool may_be_zero = !operation.takes(Kind::normal) && operation.outputs[0].result != Result::normal;
   Table table(operation.inputs.size(), std::vector<float>(count));
   for (std::size_t i = 0; i < count; ++i) {
     Random random(seed, i);
@@ -211,7 +209,7 @@ Table edge_inputs(const Operation& operation, Roughness roughness, std::size_t c
       const Input& input = operation.inputs[c];
       if (input.index == 0) group = any_group(random, input.kind, view);
       if (input.index == 0 && input.kind == Kind::alpha && roughness == Roughness::tiny)
-        group = tiny_alpha(random, may_be_zero);
+        group = tiny_alpha(random);
       if (input.kind == Kind::view) view = group;
       table[c][i] = member(operation, c, group);
     }
