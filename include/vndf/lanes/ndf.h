@@ -60,9 +60,9 @@ VNDF_INLINE NormalTerms<F> normal_terms(const Vec3<F>& v, const Vec3<F>& m, cons
 /// 2 D(m) max(0, v.m) / (|A v| + (A v).z).
 template <class F>
 VNDF_INLINE F visible_normal_pdf(F m_z, const NormalTerms<F>& terms) {
-  F pdf = at_most_delta(((terms.cos + terms.cos) / terms.area) * ndf(terms.ndf));
-  auto seen = (terms.cos > F(0.f)) & !(terms.area < F(0x1p-100f));  // alpha 0, along its axis
-  return op::select(seen, op::select(m_z < F(0.f), F(0.f), pdf), F(0.f));
+  F area = terms.area + F(0x1p-100f);  // there is none along an axis where alpha is 0
+  F pdf = at_most_delta(((terms.cos + terms.cos) / area) * ndf(terms.ndf));
+  return op::select(terms.cos > F(0.f), op::select(m_z < F(0.f), F(0.f), pdf), F(0.f));
 }
 template <class F, class Shape = Vec2<F>>
 VNDF_INLINE F visible_normal_pdf(const Vec3<F>& v, const Vec3<F>& m, const Shape& shape) {
