@@ -60,7 +60,7 @@ VNDF_INLINE NormalTerms<F> normal_terms(const Vec3<F>& v, const Vec3<F>& m, cons
 /// 2 D(m) max(0, v.m) / (|A v| + (A v).z).
 template <class F>
 VNDF_INLINE F visible_normal_pdf(F m_z, const NormalTerms<F>& terms) {
-  F area = terms.area + F(0x1p-100f);  // there is none along an axis where alpha is 0
+  F area = terms.area + F(0x1p-125f);  // there is none along an axis where alpha is 0
   F pdf = at_most_delta(((terms.cos + terms.cos) / area) * ndf(terms.ndf));
   return op::select(terms.cos > F(0.f), op::select(m_z < F(0.f), F(0.f), pdf), F(0.f));
 }
