@@ -40,6 +40,12 @@ void shade_by_ndf(const Shape& shape, const Sampling& sampling, Batch& b, const 
     b.light_pdf[i] = b.light_pdf[i] > 0.f ? b.spare[i] / (4.f * std::max(b.light_cosine[i], 1e-15f)) : 0.f;
 }
 
+/// Paths from the camera carry radiance.
+vndf::DielectricOptions of_radiance() {
+  vndf::DielectricOptions options;
+  options.radiance = true;
+  return options;
+}
 vndf::ReflectionOptions options_of(const Sampling& sampling) {
   vndf::ReflectionOptions options;
   options.bounded = sampling.sampler == Sampler::bounded;
@@ -61,9 +67,9 @@ void shade_batch(Kind kind, const vndf::Ellipsoid& leaning, const Sampling& samp
     case Kind::dielectric:
       vndf::sample_dielectric(sampling.warp, b.count, in(b.wo), alpha, b.eta.data(),
                               {b.u.x.data(), b.u.y.data(), b.u.z.data()},
-                              {out(b.wi), b.pdf.data(), b.weight.data(), b.side.data()});
+                              {out(b.wi), b.pdf.data(), b.weight.data(), b.side.data()}, of_radiance());
       vndf::evaluate_dielectric(b.count, in(b.wo), in(b.light), alpha, b.eta.data(),
-                                {b.light_f_cos.data(), b.light_pdf.data()});
+                                {b.light_f_cos.data(), b.light_pdf.data()}, of_radiance());
       break;
     case Kind::brushed:
     case Kind::leaning:

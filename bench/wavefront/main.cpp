@@ -28,6 +28,8 @@ Scene scene_of(const Options& options) {
     if (std::sscanf(options.camera.c_str(), "%f,%f,%f,%f,%f,%f,%f", &c.from.x, &c.from.y, &c.from.z, &c.at.x, &c.at.y,
                     &c.at.z, &c.fov) != 7)
       throw std::runtime_error("--camera: is not seven numbers x,y,z,x,y,z,f");
+    if (!(length(c.at - c.from) < 1e18f) || !(length(c.at - c.from) > 0.f) || !(c.fov > 0.f && c.fov < 179.f))
+      throw std::runtime_error("--camera: looks nowhere");
   }
   scene.finish(options.embree);
   return scene;

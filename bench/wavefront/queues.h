@@ -36,9 +36,8 @@ struct Columns3 {
 struct Paths {
   std::uint32_t count = 0;
   Columns3 origin{kCapacity}, direction{kCapacity}, throughput{kCapacity};
-  Column<float> pdf{kCapacity};           // of the direction, by the BSDF
-  Column<float> scale{kCapacity};         // of radiance by refraction; no reason to end or to keep a path
-  Column<std::uint32_t> slot{kCapacity};  // of the radiance
+  Column<float> pdf{kCapacity};                              // of the direction, by the BSDF
+  Column<std::uint32_t> slot{kCapacity};                     // of the radiance
   Column<std::uint32_t> seed{kCapacity}, sample{kCapacity};  // of its random numbers
   Column<std::uint32_t> depth{kCapacity};
 };
@@ -56,6 +55,6 @@ struct ShadowRays {
 };
 
 /// Bytes of all queues for one path under way, and of its radiance.
-constexpr std::size_t kBytesPerPath = 2 * 15 * 4 + (4 + 2 + 4) + 11 * 4 + 12;
+constexpr std::size_t kBytesPerPath = 2 * 14 * 4 + (4 + 2 + 4) + 11 * 4 + 12;
 
 }  // namespace wavefront

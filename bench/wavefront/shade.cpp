@@ -127,13 +127,6 @@ Response plastic(const Batch& b, const Vertices& v, std::uint32_t i, float wi_z,
   return {Vec3{f, f, f} + body_of_plastic(b, v, i, wi_z), coat * pdf + (1.f - coat) * wi_z / kPi};
 }
 
-/// Glass: radiance is condensed by the square of the index where it is.
-float radiance_scale(const Batch& b, std::uint32_t i, bool crosses) {
-  if (!crosses) return 1.f;
-  float eta2 = b.eta[i] * b.eta[i];
-  return b.wo.z[i] < 0.f ? eta2 : 1.f / eta2;
-}
-
 Response light_response(Kind kind, const Batch& b, const Vertices& v, std::uint32_t i) {
   float z = b.light.z[i], f_cos = b.light_f_cos[i], pdf = b.light_pdf[i];
   switch (kind) {
@@ -144,8 +137,7 @@ Response light_response(Kind kind, const Batch& b, const Vertices& v, std::uint3
       return plastic(b, v, i, z, b.light_cosine[i], f_cos, pdf);
     case Kind::dielectric: {
       bool crosses = (z < 0.f) != (b.wo.z[i] < 0.f);
-      float f = f_cos * radiance_scale(b, i, crosses);
-      return {f * (crosses ? v.color[i] : Vec3{1.f, 1.f, 1.f}), pdf};
+      return {f_cos * (crosses ? v.color[i] : Vec3{1.f, 1.f, 1.f}), pdf};
     }
     default:
       return {f_cos * conductor_fresnel(b.light_cosine[i], v.material[i]->n, v.material[i]->k), pdf};
@@ -164,10 +156,8 @@ Vec3 sample_weight(Kind kind, Batch& b, const Vertices& v, std::uint32_t i) {
       b.pdf[i] = r.pdf;
       return r.pdf > 0.f ? (1.f / r.pdf) * r.f_cos : Vec3{0.f, 0.f, 0.f};
     }
-    case Kind::dielectric: {
-      bool crosses = b.side[i] < 0.f;
-      return (b.weight[i] * radiance_scale(b, i, crosses)) * (crosses ? v.color[i] : Vec3{1.f, 1.f, 1.f});
-    }
+    case Kind::dielectric:
+      return b.weight[i] * (b.side[i] < 0.f ? v.color[i] : Vec3{1.f, 1.f, 1.f});
     default:
       return b.weight[i] * conductor_fresnel(b.cosine[i], v.material[i]->n, v.material[i]->k);
   }
@@ -207,10 +197,10 @@ void scatter_paths(const Scene& scene, Kind kind, Worker& w) {
     Vec3 wi = to_world(v.frame[i], b.wi.get(i));
     float cos = dot(wi, v.normal[i]);
     if (!right_side(b.wi.z[i], cos)) continue;
-    float scale = w.paths.scale[p];
-    if (kind == Kind::dielectric) scale *= radiance_scale(b, i, b.side[i] < 0.f);
-    if (depth >= kSureDepth) {
-      float chance = std::min(0.95f, largest(throughput) / scale);
+    // Glass takes nothing away. Its radiance is condensed within, which is no reason to end a path, and is undone where
+    // the path leaves: the roulette waits for another surface.
+    if (depth >= kSureDepth && kind != Kind::dielectric) {
+      float chance = std::min(0.95f, largest(throughput));
       if (v.keep[i] >= chance) continue;
       throughput = (1.f / chance) * throughput;
     }
@@ -218,7 +208,6 @@ void scatter_paths(const Scene& scene, Kind kind, Worker& w) {
     w.next.direction.set(to, normalize(wi));
     w.next.throughput.set(to, throughput);
     w.next.pdf[to] = b.pdf[i];
-    w.next.scale[to] = scale;
     w.next.slot[to] = w.paths.slot[p];
     w.next.seed[to] = w.paths.seed[p];
     w.next.sample[to] = w.paths.sample[p];

@@ -23,9 +23,8 @@ struct View {
   Vec3 lens_x, lens_y;
 };
 View view_of(const Camera& camera, int width, int height) {
-  Vec3 forward = normalize(camera.at - camera.from);
-  Vec3 right = normalize(cross(forward, {0.f, 1.f, 0.f}));
-  Vec3 down = cross(forward, right);
+  Vec3 ahead = normalize(camera.at - camera.from);
+  auto [right, down, forward] = frame_of(ahead, cross(ahead, {0.f, 1.f, 0.f}));
   float focus = camera.focus > 0.f ? camera.focus : length(camera.at - camera.from);
   // Rounded, as machines differ in the last bits of a tangent.
   double half = std::tan(double(camera.fov) * (3.14159265358979 / 360));
@@ -62,7 +61,6 @@ std::uint32_t start_paths(const Settings& settings, const View& view, const Bloc
       paths.origin.set(p, view.from + lens);
       paths.throughput.set(p, {1.f, 1.f, 1.f});
       paths.pdf[p] = 0x1p60f;  // no light was sampled for it
-      paths.scale[p] = 1.f;
       paths.depth[p] = 0;
       w.radiance.set(slot + i, {0.f, 0.f, 0.f});
     }

@@ -54,7 +54,7 @@ float reflectance(float c, float eta) {
   float g = std::sqrt(g2), s = (g - c) / (g + c), p = (c * (g + c) - 1.f) / (c * (g - c) + 1.f);
   return 0.5f * s * s * (1.f + p * p);
 }
-/// wo above; eta the index on the other side over the one on wo's.
+/// wo above; eta the index on the other side over the one on wo's. Counts radiance: 1 / eta^2 of what crosses.
 Value through(Vec3 wo, Vec3 wi, Alpha alpha, float eta) {
   bool reflects = wi.z >= 0.f;
   Vec3 h = normalize(reflects ? wo + wi : wo + eta * wi);
@@ -65,7 +65,8 @@ Value through(Vec3 wo, Vec3 wi, Alpha alpha, float eta) {
   float root = c + eta * ci, jacobian = reflects ? 1.f / (4.f * c) : eta * eta * std::abs(ci) / (root * root);
   float pdf = (reflects ? f : 1.f - f) * visible_density(wo, h, alpha) * jacobian;
   float lambda_i = lambda(wi, alpha);
-  return {pdf * (reflects ? (1.f + lambda_o) / (1.f + lambda_o + lambda_i) : 1.f / (1.f + lambda_i)), pdf};
+  return {pdf * (reflects ? (1.f + lambda_o) / (1.f + lambda_o + lambda_i) : 1.f / ((1.f + lambda_i) * eta * eta)),
+          pdf};
 }
 
 void metal(Kind kind, Batch& b, std::uint32_t i) {

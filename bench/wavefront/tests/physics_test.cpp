@@ -151,6 +151,27 @@ TEST(Furnace, GlassKeepsEnergy) {
   EXPECT_GT(seen.mean, 0.97);  // what is lost is multiple scattering, little at this roughness
 }
 
+TEST(Furnace, GlassCondensesRadiance) {
+  Scene scene;
+  Material glass, light;
+  glass.kind = Kind::dielectric;
+  glass.alpha_x = glass.alpha_y = 0.05f;
+  glass.color = {1.f, 1.f, 1.f};
+  light.emission = {1.f, 1.f, 1.f};
+  add_sphere(scene, {{0.f, 0.f, 0.f}, 1.f}, glass);
+  add_sphere(scene, {{0.f, 0.f, 0.f}, 0.9f}, light);
+  look(scene, 1.f);
+  scene.finish("");
+  // Seen along the normal: what Fresnel lets out, less by the square of the index.
+  double exact = 0.96 / (1.5 * 1.5);
+  for (bool mis : {true, false}) {
+    Task task = task_of(64);
+    task.settings.mis = mis;
+    Estimate seen = estimate(picture(scene, task));
+    EXPECT_NEAR(seen.mean, exact, 3 * seen.error + 1e-3) << "mis " << mis;
+  }
+}
+
 TEST(Direct, SphereLightOnAPlane) {
   Scene scene;
   Material white, light;
