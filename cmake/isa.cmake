@@ -31,7 +31,7 @@ vndf_lanes_objects(make_shape src/make_shape.cpp)
 #   vndf_isa(name [ARCHITECTURE X86|ARM] BATCH vector-type VECTORS n [CPU feature...] [FLAGS flag...])
 # ARCHITECTURE: where the row is; without, everywhere.
 # VECTORS: how many a kernel takes at once: what the registers hold.
-# CPU: what __builtin_cpu_supports must affirm; GCC's and Clang's run-times ask the operating system as well as the
+# CPU: what __builtin_cpu_supports must affirm, or processor.h in its place; it asks the operating system as well as the
 # processor. Compiles the kernels into the library with FLAGS and adds the name to isa_rows.h, which dispatch reads.
 function(vndf_isa name)
   cmake_parse_arguments(PARSE_ARGV 1 row "" "ARCHITECTURE;BATCH;VECTORS" "CPU;FLAGS")
@@ -47,18 +47,14 @@ function(vndf_isa name)
     list(APPEND sources ${source})
   endforeach()
   vndf_lanes_objects(${name} ${sources})
-  list(JOIN row_FLAGS " " flags)
-  target_compile_options(vndf_${name} PRIVATE "SHELL:${flags}")
+  vndf_shell(flags ${row_FLAGS})
+  target_compile_options(vndf_${name} PRIVATE "${flags}")
   target_compile_definitions(vndf_${name} PRIVATE VNDF_SET=${name} VNDF_BATCH=${row_BATCH}
                                                   VNDF_VECTORS=${row_VECTORS})
 
   set(supported true)
-  if(row_CPU)
-    # Asked by a constructor that runs before libgcc's own, it would otherwise say no to everything.
-    set(supported "(__builtin_cpu_init(), true)")
-  endif()
   foreach(feature IN LISTS row_CPU)
-    string(APPEND supported " && __builtin_cpu_supports(\"${feature}\")")
+    string(APPEND supported " && VNDF_PROCESSOR_HAS(\"${feature}\")")
   endforeach()
   set_property(GLOBAL APPEND_STRING PROPERTY vndf_isa_rows "VNDF_ISA(${name}, ${supported})\n")
   set_property(GLOBAL APPEND_STRING PROPERTY vndf_isa_names " ${name}")

@@ -17,7 +17,7 @@ Shape shape_of(const Ellipsoid& constants) noexcept {
   return shape;
 }
 
-__attribute__((noinline)) static ShapeError make(const float (&a)[9], Shape& shape) noexcept {
+VNDF_NOINLINE static ShapeError make(const float (&a)[9], Shape& shape) noexcept {
   constexpr double kFlat = 0x1p-40, kSmallest = 0x1p-26, kLargest = 0x1p26;
   double largest = 0;
   for (float value : a) {

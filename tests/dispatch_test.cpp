@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "dispatch/processor.h"
 #include "kernel_tables.h"
 
 namespace {
@@ -271,10 +272,14 @@ TEST(Dispatch, MessagesSayWhatIsWrong) {
 /// What a fresh process does under VNDF_ISA = value: "<set that ran>; <complaints> complaints", then what it wrote.
 /// Many threads begin at once, each with its first call.
 [[noreturn]] void report_first_calls(const char* value) {
+#if defined(_WIN32)
+  _putenv_s("VNDF_ISA", value ? value : "");  // which is how it is unset there
+#else
   if (value)
     setenv("VNDF_ISA", value, 1);
   else
     unsetenv("VNDF_ISA");
+#endif
   // Not by googletest: it does so itself where a death test is a copy of this process.
   std::FILE* file = std::tmpfile();
   const int terminal = dup(STDERR_FILENO);

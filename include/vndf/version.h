@@ -8,8 +8,8 @@
 #define VNDF_VERSION (VNDF_VERSION_MAJOR * 10000 + VNDF_VERSION_MINOR * 100 + VNDF_VERSION_PATCH)
 
 /// On the namespaces of the public functions: what a shared library exports. A static one exports nothing, so that a
-/// program's shared objects can each have a version of their own.
-#ifdef VNDF_SHARED
+/// program's shared objects can each have a version of their own. For a DLL, CMake lists all functions.
+#if defined(VNDF_SHARED) && !defined(_WIN32)
 #define VNDF_API [[gnu::visibility("default")]]
 #else
 #define VNDF_API

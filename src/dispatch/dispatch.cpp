@@ -4,9 +4,11 @@
 #include <cstdlib>
 #include <cstring>
 
+#include <vndf/lanes/compiler.h>
 #include <vndf/version.h>
 
 #include "dispatch.h"
+#include "processor.h"
 
 namespace vndf {
 
@@ -42,7 +44,7 @@ IsaError find(const char* name, const Row*& found) noexcept {
 }
 
 /// Out of line, so that a batch pays for one load, one test and one indirect call.
-__attribute__((noinline, cold)) const Row* choose() noexcept {
+VNDF_NOINLINE const Row* choose() noexcept {
   const Row* best = &kRows[0];
   for (const Row& candidate : kRows)
     if (candidate.supported()) best = &candidate;

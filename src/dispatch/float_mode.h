@@ -4,20 +4,22 @@
 
 #include <cstdint>
 
+#include <vndf/lanes/compiler.h>
+
 namespace vndf {
 
 /// To nearest, denormals kept, no traps, for as long as it lives; what is computed must be a call that is not inlined.
 /// Where the mode is so already, as mostly, it costs a read.
 class FloatMode {
-#if defined(__SSE__)
+#if defined(__SSE__) || defined(_M_X64)
   using Bits = unsigned;
   // Flush to zero, rounding, masks, denormals are zero; the flags below are not a mode.
   static constexpr Bits kMode = 0xffc0, kExact = 0x1f80;
   static Bits get() noexcept {
-    return __builtin_ia32_stmxcsr();
+    return VNDF_GET_MXCSR();
   }
   static void set(Bits bits) noexcept {
-    __builtin_ia32_ldmxcsr(bits);
+    VNDF_SET_MXCSR(bits);
   }
 #elif defined(__aarch64__)
   using Bits = std::uint64_t;

@@ -5,13 +5,6 @@
 #include <vndf/lanes.h>
 #include <vndf/vndf.h>
 
-// One function for all kernels of an object; GCC would make a copy for each number of columns.
-#if defined(__clang__)
-#define VNDF_NOINLINE __attribute__((noinline))
-#else
-#define VNDF_NOINLINE __attribute__((noinline, noclone))
-#endif
-
 namespace {
 
 namespace lanes = vndf::lanes;

@@ -257,8 +257,8 @@ VNDF_INLINE Evaluation<F> evaluate_dielectric(const Vec3<F>& wo_given, const Vec
   auto at = crossing_of(wi.z, normal, index);
   auto view = seen_view(wo, shape);
   F pdf = at_most_delta((pair_pdf(ndf_terms(normal.h, shape), view) * at.share) * at.jacobian);
-  auto leaves =
-      both_above(wo.z, op::abs(wi.z), view.area) & (at.share > F(0.f)) & possible(index) & !index_matched(index);
+  auto refracts = possible(index), matched = index_matched(index);
+  auto leaves = both_above(wo.z, op::abs(wi.z), view.area) & (at.share > F(0.f)) & refracts & !matched;
   F weight = dielectric_weight(at.side, view, wi.z, index, lobes, masking,
                                shadowing_of(at.side, wi, narrowed(shape), masking));
   F f_cos = pdf * weight;

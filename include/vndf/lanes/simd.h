@@ -23,6 +23,8 @@
 #include <type_traits>
 #include <xsimd/xsimd.hpp>
 
+#include <vndf/lanes/compiler.h>
+
 // Inline functions compiled for one instruction set must never be the copy that the linker keeps for another, so
 // everything here lives in an inline namespace named after the build it belongs to. The library names its own; a
 // program that includes these headers is told apart by the widest set it is compiled for.
@@ -37,8 +39,6 @@
 #define VNDF_LANES_BUILD user_baseline
 #endif
 #endif
-
-#define VNDF_INLINE inline __attribute__((always_inline))
 
 #if defined(__aarch64__)
 /// xsimd's quotient of floats is Newton's steps on NEON, up to one unit off. The processor's own is exact. For every
@@ -123,7 +123,7 @@ VNDF_INLINE Batch<Arch> select(xsimd::batch_bool<float, Arch> mask, Batch<Arch> 
 }
 
 VNDF_INLINE float sqrt(float a) {
-  return __builtin_sqrtf(a);
+  return VNDF_SQRTF(a);
 }
 template <class Arch>
 VNDF_INLINE Batch<Arch> sqrt(Batch<Arch> a) {
@@ -214,7 +214,7 @@ VNDF_INLINE F with_sign_of(F magnitude, F sign) {
 }
 
 VNDF_INLINE double sqrt(double a) {
-  return __builtin_sqrt(a);
+  return VNDF_SQRT(a);
 }
 template <class Arch>
 VNDF_INLINE Doubles<Arch> sqrt(const Doubles<Arch>& a) {
@@ -361,7 +361,7 @@ VNDF_INLINE void finish_streaming() {
 
 /// Brings what p points to into the caches; any address will do.
 VNDF_INLINE void prefetch(const float* p) {
-  __builtin_prefetch(p, 0, 3);
+  VNDF_PREFETCH(p);
 }
 
 }  // namespace op
