@@ -7,17 +7,20 @@
 set -e
 root=$1 deb=$2 hosts=$3 expected=$4
 work=$root/tmp/vndf_host
+# Nothing of the caller's environment: its compilers and launchers are not there.
+bare() { env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin chroot "$root" "$@"; }
 rm -rf "$work" && mkdir -p "$work"
-trap 'rm -rf "$work"; chroot "$root" dpkg --purge libvndf-dev >/dev/null 2>&1' EXIT
-cp -r "$hosts" "$work/hosts" && cp -r "$hosts/../support" "$work/support" && cp "$deb" "$work/vndf.deb" && cp "$expected" "$work/expected.txt"
+trap 'rm -rf "$work"; bare dpkg --purge libvndf-dev >/dev/null 2>&1' EXIT
+cp -r "$hosts" "$work/hosts" && cp -r "$hosts/../support" "$work/support"
+cp "$deb" "$work/vndf.deb" && cp "$expected" "$work/expected.txt"
 
 files() { (cd "$root" && find usr etc opt var/lib/dpkg/info | LC_ALL=C sort); }
 files >"$work/before"
-chroot "$root" dpkg --install /tmp/vndf_host/vndf.deb
+bare dpkg --install /tmp/vndf_host/vndf.deb
 files >"$work/with"
 ! cmp -s "$work/before" "$work/with" || { echo "the package installs nothing" >&2; exit 1; }
 
-chroot "$root" sh -e <<'END'
+bare sh -e <<'END'
 cd /tmp/vndf_host
 # No xsimd here: vndf::vndf is complete without it, and vndf::lanes is not asked for.
 cat >hosts/CMakeLists.txt <<'PROJECT'
@@ -35,6 +38,6 @@ g++ -std=c++17 hosts/programs/batches.cpp $(pkg-config --cflags --libs vndf) -o 
 ./by_hand expected.txt
 END
 
-chroot "$root" dpkg --remove libvndf-dev
+bare dpkg --remove libvndf-dev
 files >"$work/after"
 diff "$work/before" "$work/after"
