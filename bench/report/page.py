@@ -7,6 +7,7 @@ from typing import Any
 import jinja2
 import pandas as pd
 
+import wavefront_plots
 import words
 from pictures import SAMPLED, colors
 from words import nice, number, times
@@ -50,6 +51,7 @@ def render(
     templates = jinja2.Environment(loader=loader, autoescape=True, trim_blocks=True, lstrip_blocks=True)
     templates.globals |= {name: write for name, write in vars(words).items() if callable(write)}
     templates.globals |= {"str": str, "data_uri": data_uri, "papers": words.PAPERS, "colors": colors()}
+    templates.globals |= {"in_order": wavefront_plots.in_order}
     # Ellipsoids have a section of their own.
     plain = results[results["shape"] == "plain"]
     return templates.get_template("page.html.j2").render(

@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 
 import ellipsoid_plots
 import plots
+import wavefront_plots
 from words import nice
 
 STYLES = Path(__file__).parent / "style"
@@ -66,6 +67,7 @@ def draw_all(
     errors: pd.DataFrame,
     maps: pd.DataFrame,
     ellipsoid: dict[str, pd.DataFrame],
+    wavefront: dict[str, Any],
 ) -> dict[str, Any]:
     """Lists have a figure for each operation of ours whose errors were measured, that of the peers first."""
     compared = headline[headline.worst_row.notna()]
@@ -90,4 +92,10 @@ def draw_all(
         "densities": in_both_modes(ellipsoid_plots.densities, ellipsoid["densities"]),
         "ellipsoid_costs": in_both_modes(ellipsoid_plots.costs, ellipsoid["costs"]),
         "ellipsoid_errors": in_both_modes(ellipsoid_plots.errors, ellipsoid["errors"]),
+        **draw_wavefront(wavefront),
     }
+
+
+def draw_wavefront(measured: dict[str, Any]) -> dict[str, dict[str, str]]:
+    draws = {"steps": wavefront_plots.steps, "errors": wavefront_plots.errors}
+    return {f"wavefront_{name}": in_both_modes(draw, measured[name]) for name, draw in draws.items() if measured}

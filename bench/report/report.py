@@ -27,6 +27,7 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument(
         "--source", type=Path, default=Path("."), help="the source tree, to name its revision"
     )
+    parser.add_argument("--wavefront", type=Path, help="what bench/wavefront/measure wrote, if it is there")
     parser.add_argument("--compiler", default="unknown", help="its name and version")
     parser.add_argument("--flags", default="unknown", help="what it was called with")
     return parser.parse_args()
@@ -41,6 +42,14 @@ def read_ellipsoids(document: dict[str, Any], speeds: pd.DataFrame) -> dict[str,
         "rejections": pd.DataFrame(document["rejections"]),
         "densities": densities.assign(pdf=[np.array(pdf, dtype=float) for pdf in densities.pdf]),
     }
+
+
+def read_wavefront(file: Path | None) -> dict[str, Any]:
+    """Empty where the renderer was not measured."""
+    if not file or not file.exists():
+        return {}
+    measured = json.loads(file.read_text())
+    return measured | {name: pd.DataFrame(measured[name]) for name in ("steps", "scaling", "errors")}
 
 
 def records(table: pd.DataFrame) -> list[dict[str, Any]]:
@@ -60,13 +69,14 @@ def main() -> None:
     results = tables.join(speeds, errors, facts["peers"])
     headline = results[(results.input == INPUT) & (results["count"] == COUNT) & (results.threads == 1)]
     ellipsoids = read_ellipsoids(ellipsoid, headline)
-    figures = pictures.draw_all(results, headline, errors, pd.DataFrame(warps["maps"]), ellipsoids)
+    wavefront = read_wavefront(arguments.wavefront)
+    figures = pictures.draw_all(results, headline, errors, pd.DataFrame(warps["maps"]), ellipsoids, wavefront)
     about = machine.describe(
         arguments.source, arguments.compiler, arguments.flags, benchmark["context"]["date"]
     )
     isas = tables.isas(benchmark["context"])
 
-    facts |= {"about": about, "isas": isas, "kinds": tables.ELLIPSOIDS}
+    facts |= {"about": about, "isas": isas, "kinds": tables.ELLIPSOIDS, "wavefront": wavefront}
     (out / "index.html").write_text(page.render(results, headline, errors, ellipsoids, figures, facts))
     told = results[[*tables.IMPLEMENTATION, "input", "count", "threads", *SPEEDS, *ERRORS]]
     document = {

@@ -1,6 +1,6 @@
 // The scene that is made by code: an engine-turned metal disc under an evening sky, with arcs of spheres over roughness
 // and anisotropy, a knot, rough glass, and a panel of light.
-#include <array>
+#include <ImathVec.h>
 
 #include "environment.h"
 
@@ -13,8 +13,8 @@ constexpr double kTurn = 6.283185307179586;
 float rounded(double a) {
   return static_cast<float>(std::floor(a * 65536 + 0.5) / 65536);
 }
-Vec3 rounded(double x, double y, double z) {
-  return {rounded(x), rounded(y), rounded(z)};
+Vec3 rounded(const Imath::V3d& p) {
+  return {rounded(p.x), rounded(p.y), rounded(p.z)};
 }
 
 int add(Scene& scene, const Material& material) {
@@ -56,10 +56,9 @@ template <class Point>
 void add_closed_surface(Scene& scene, int us, int vs, int material, Point point) {
   auto corner = [&](int i, int j) {
     double u = double(i) / us, v = double(j) / vs, h = 1e-4;
-    auto minus = [](Vec3 a, Vec3 b) { return a - b; };
-    Vec3 along_u = minus(point(u + h, v), point(u - h, v)), along_v = minus(point(u, v + h), point(u, v - h));
-    Vec3 n = normalize(cross(along_v, along_u)), p = point(u, v);
-    return Corner{rounded(p.x, p.y, p.z), normalize(rounded(n.x, n.y, n.z)), {rounded(8 * u), rounded(v)}};
+    Imath::V3d along_u = point(u + h, v) - point(u - h, v), along_v = point(u, v + h) - point(u, v - h);
+    return Corner{
+        rounded(point(u, v)), normalize(rounded((along_v % along_u).normalized())), {rounded(8 * u), rounded(v)}};
   };
   for (int i = 0; i < us; ++i)
     for (int j = 0; j < vs; ++j) {
@@ -70,27 +69,17 @@ void add_closed_surface(Scene& scene, int us, int vs, int material, Point point)
 }
 
 /// A trefoil knot that stands upright: a tube of radius `tube` about (sin t + 2 sin 2t, cos t - 2 cos 2t, -sin 3t).
-void add_knot(Scene& scene, Vec3 middle, double size, double tube, int material) {
-  using Point = std::array<double, 3>;
+void add_knot(Scene& scene, Imath::V3d middle, double size, double tube, int material) {
+  using Imath::V3d;
   auto line = [](double t) {
-    return Point{std::sin(t) + 2 * std::sin(2 * t), std::cos(t) - 2 * std::cos(2 * t), -std::sin(3 * t)};
-  };
-  auto unit = [](Point a) {
-    double inv = 1 / std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
-    return Point{a[0] * inv, a[1] * inv, a[2] * inv};
-  };
-  auto crossed = [](Point a, Point b) {
-    return Point{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    return V3d(std::sin(t) + 2 * std::sin(2 * t), std::cos(t) - 2 * std::cos(2 * t), -std::sin(3 * t));
   };
   add_closed_surface(scene, 400, 48, material, [&](double u, double v) {
     double t = kTurn * u, h = 1e-3;
-    Point p = line(t), q = line(t + h), o = line(t - h);
-    Point ahead = unit({q[0] - o[0], q[1] - o[1], q[2] - o[2]});
-    Point side = unit(crossed(ahead, {p[0], p[1], 0.3})), up = crossed(side, ahead);
-    double c = tube * std::cos(kTurn * v), s = tube * std::sin(kTurn * v);
-    return Vec3{static_cast<float>(middle.x + size * (p[0] + c * side[0] + s * up[0])),
-                static_cast<float>(middle.y + size * (p[1] + c * side[1] + s * up[1])),
-                static_cast<float>(middle.z + size * (p[2] + c * side[2] + s * up[2]))};
+    V3d p = line(t), ahead = (line(t + h) - line(t - h)).normalized();
+    V3d side = (ahead % V3d(p.x, p.y, 0.3)).normalized(), up = side % ahead;
+    V3d round = std::cos(kTurn * v) * side + std::sin(kTurn * v) * up;
+    return middle + size * (p + tube * round);
   });
 }
 
@@ -122,21 +111,20 @@ Texture engine_turned(int size, double rings) {
 /// Late afternoon: warm about the sun and along the horizon, blue above, dim earth below.
 Environment evening() {
   Vec3 sun = normalize({-0.60f, 0.36f, -0.58f});
-  Environment e = make_environment(256, [&](Vec3 d) {
+  // Behind haze: 12 degrees in radius.
+  const float sun_cos = 1.f - 0x1.8p-6f;
+  const Vec3 sun_radiance = 1.f / (2.f * kPi * (1.f - sun_cos)) * Vec3{3.0f, 1.9f, 1.0f};
+  return make_environment(256, [&](Vec3 d) {
     float up = std::max(0.f, d.y), c = std::max(0.f, dot(d, sun));
     float c2 = c * c, c8 = c2 * c2 * c2 * c2, c64 = c8 * c8 * c8 * c8 * c8 * c8 * c8 * c8;
     float haze = 1.f / (1.f + 7.f * up), low = haze * haze;
     Vec3 sky = (1.f - haze) * Vec3{0.06f, 0.15f, 0.42f} + haze * Vec3{0.22f, 0.30f, 0.42f} +
                (0.6f * low) * ((0.15f + 0.85f * c2) * Vec3{1.0f, 0.52f, 0.22f});
     sky = sky + (0.5f * c8) * Vec3{1.0f, 0.62f, 0.30f} + (1.6f * c64) * Vec3{1.0f, 0.75f, 0.45f};
+    if (dot(d, sun) >= sun_cos) sky = sky + sun_radiance;
     if (d.y >= 0.f) return sky;
     return Vec3{0.16f, 0.13f, 0.11f} + std::max(0.f, 1.f + 12.f * d.y) * (sky - Vec3{0.16f, 0.13f, 0.11f});
   });
-  e.sun = sun;
-  e.sun_cos = 1.f - 0x1.8p-6f;  // a sun behind haze, 12 degrees in radius
-  float radiance = 1.f / (2.f * kPi * (1.f - e.sun_cos));
-  e.sun_radiance = radiance * Vec3{3.0f, 1.9f, 1.0f};
-  return e;
 }
 
 }  // namespace
@@ -162,11 +150,11 @@ Scene default_scene() {
   for (int i = 0; i < kSides; ++i) {
     auto on_rim = [&](int at, double y, bool top) {
       double c = std::cos(kTurn * at / kSides), s = std::sin(kTurn * at / kSides);
-      return Corner{rounded(radius * c, y, -radius * s),
-                    top ? Vec3{0.f, 1.f, 0.f} : normalize(rounded(c, 0, -s)),
+      return Corner{rounded({radius * c, y, -radius * s}),
+                    top ? Vec3{0.f, 1.f, 0.f} : normalize(rounded({c, 0, -s})),
                     {rounded(0.5 + 0.5 * c), rounded(0.5 + 0.5 * s)}};
     };
-    Corner middle{rounded(0, height, 0), {0.f, 1.f, 0.f}, {0.5f, 0.5f}};
+    Corner middle{rounded({0, height, 0}), {0.f, 1.f, 0.f}, {0.5f, 0.5f}};
     add(scene, middle, on_rim(i, height, true), on_rim(i + 1, height, true), disc);
     Corner a = on_rim(i, 0, false), b = on_rim(i + 1, 0, false), c = on_rim(i + 1, height, false),
            d = on_rim(i, height, false);
@@ -183,29 +171,29 @@ Scene default_scene() {
       float alpha = rounded(0.08 + 0.5 * share * share), aspect = 1.f + 2.f * static_cast<float>(arc);
       int material =
           add(scene, conductor(metals[arc], std::min(1.f, alpha * std::sqrt(aspect)), alpha / std::sqrt(aspect)));
-      add(scene, {rounded(away * std::cos(angle), height + r, -away * std::sin(angle)), rounded(r)}, material);
+      add(scene, {rounded({away * std::cos(angle), height + r, -away * std::sin(angle)}), rounded(r)}, material);
     }
 
-  add_knot(scene, rounded(0, height + 1.22, -0.5), 0.37, 0.66, add(scene, conductor(kGold, 0.16f, 0.16f)));
+  add_knot(scene, {0, height + 1.22, -0.5}, 0.37, 0.66, add(scene, conductor(kGold, 0.16f, 0.16f)));
 
   Material glass;
   glass.kind = Kind::dielectric;
   glass.alpha_x = glass.alpha_y = 0.10f;
   glass.color = {0.93f, 0.98f, 0.96f};
-  add(scene, {rounded(-2.15, height + 0.72, 1.35), rounded(0.72)}, add(scene, glass));
+  add(scene, {rounded({-2.15, height + 0.72, 1.35}), rounded(0.72)}, add(scene, glass));
   glass.alpha_x = glass.alpha_y = 0.22f;
   glass.color = {0.98f, 0.80f, 0.55f};
-  add(scene, {rounded(-0.55, height + 0.42, 2.35), rounded(0.42)}, add(scene, glass));
+  add(scene, {rounded({-0.55, height + 0.42, 2.35}), rounded(0.42)}, add(scene, glass));
 
   Material lacquer;
   lacquer.kind = Kind::plastic;
   lacquer.color = {0.42f, 0.03f, 0.035f};
   lacquer.alpha_x = lacquer.alpha_y = 0.08f;
-  add(scene, {rounded(2.05, height + 0.70, 1.45), rounded(0.70)}, add(scene, lacquer));
+  add(scene, {rounded({2.05, height + 0.70, 1.45}), rounded(0.70)}, add(scene, lacquer));
   Material shingles = conductor(kSteel, 0.12f, 0.30f);
   shingles.kind = Kind::leaning;
   shingles.theta_x = 0.35f, shingles.theta_y = -0.25f, shingles.theta_z = 0.6f;
-  add(scene, {rounded(0.75, height + 0.45, 2.4), rounded(0.45)}, add(scene, shingles));
+  add(scene, {rounded({0.75, height + 0.45, 2.4}), rounded(0.45)}, add(scene, shingles));
 
   Material panel;
   panel.color = {0.f, 0.f, 0.f};
@@ -215,7 +203,6 @@ Scene default_scene() {
   scene.camera.from = {0.f, 5.0f, 11.0f};
   scene.camera.at = {0.f, 0.62f, 0.15f};
   scene.camera.fov = 37.f;
-  scene.camera.lens = 0.03f;
   return scene;
 }
 

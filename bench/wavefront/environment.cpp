@@ -114,15 +114,4 @@ LightSample sample_sky(const Environment& e, Vec2 u) {
   return {wi, std::numeric_limits<float>::infinity(), texel.radiance, texel.pdf / stretch};
 }
 
-bool in_sun(const Environment& e, Vec3 direction) {
-  return e.sun_cos < 1.f && dot(direction, e.sun) >= e.sun_cos;
-}
-float sun_pdf(const Environment& e) {
-  return 1.f / (2.f * kPi * (1.f - e.sun_cos));
-}
-LightSample sample_sun(const Environment& e, Vec2 disk) {
-  Vec3 wi = to_world(frame_of(e.sun, {0.f, 0.f, 0.f}), in_cone(disk, 1.f - e.sun_cos));
-  return {wi, std::numeric_limits<float>::infinity(), e.sun_radiance, sun_pdf(e)};
-}
-
 }  // namespace wavefront

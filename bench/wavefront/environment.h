@@ -21,19 +21,13 @@ Vec2 octahedral_square(Vec3 direction, float& stretch);
 void prepare(Environment& environment);
 Environment environment_of_latlong(const Texture& map);
 
-/// Radiance from a direction, without the sun, and the density of sample_sky.
+/// Radiance from a direction, and the density of sample_sky.
 struct Sky {
   Vec3 radiance;
   float pdf;
 };
 Sky sky_at(const Environment& environment, Vec3 direction);
 LightSample sample_sky(const Environment& environment, Vec2 u);
-
-/// The sun is a cone of even brightness; sky_at leaves it out.
-bool in_sun(const Environment& environment, Vec3 direction);
-float sun_pdf(const Environment& environment);
-/// `disk` is a point of the unit disk: its distance from the middle is where the cosine comes from, without an angle.
-LightSample sample_sun(const Environment& environment, Vec2 disk);
 
 /// A direction in the cone about z, evenly over its solid angle.
 inline Vec3 in_cone(Vec2 disk, float one_minus_cos) {

@@ -1,6 +1,5 @@
 #include "images.h"
 
-#include <array>
 #include <stdexcept>
 
 #include <Iex.h>
@@ -43,30 +42,24 @@ Texture read_exr(const std::string& file) {
   return t;
 }
 
-/// sRGB to linear, rounded to 16 bits: machines differ in the last bits of a power.
-std::array<float, 256> linear_table() {
-  std::array<float, 256> table;
-  for (int i = 0; i < 256; ++i) {
-    double v = i / 255.0;
-    v = v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-    table[i] = static_cast<float>(std::floor(v * 65535 + 0.5) / 65535);
-  }
-  return table;
+png_image png_of(int width, int height, png_uint_32 format) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = static_cast<png_uint_32>(width), image.height = static_cast<png_uint_32>(height);
+  image.format = format;
+  return image;
 }
 
 Texture read_png(const std::string& file, bool colors) {
-  static const std::array<float, 256> kLinear = linear_table();
-  png_image image{};
-  image.version = PNG_IMAGE_VERSION;
+  png_image image = png_of(0, 0, 0);
   if (!png_image_begin_read_from_file(&image, file.c_str())) fail(file, image.message);
-  image.format = PNG_FORMAT_RGB;
-  std::vector<png_byte> bytes(PNG_IMAGE_SIZE(image));
-  if (!png_image_finish_read(&image, nullptr, bytes.data(), 0, nullptr)) fail(file, image.message);
-  Texture t;
-  t.width = static_cast<int>(image.width), t.height = static_cast<int>(image.height);
-  auto value = [&](png_byte b) { return colors ? kLinear[b] : static_cast<float>(b) / 255.f; };
-  for (std::size_t i = 0; i < bytes.size(); i += 3)
-    t.texels.push_back({value(bytes[i]), value(bytes[i + 1]), value(bytes[i + 2])});
+  image.format = colors ? PNG_FORMAT_LINEAR_RGB : PNG_FORMAT_RGB;  // 16 bits, or 8
+  std::vector<png_uint_16> words(3 * static_cast<std::size_t>(image.width) * image.height);
+  if (!png_image_finish_read(&image, nullptr, words.data(), 0, nullptr)) fail(file, image.message);
+  const auto* bytes = reinterpret_cast<const png_byte*>(words.data());
+  auto value = [&](std::size_t i) { return colors ? words[i] / 65535.f : bytes[i] / 255.f; };
+  Texture t{static_cast<int>(image.width), static_cast<int>(image.height), {}};
+  for (std::size_t i = 0; i < words.size(); i += 3) t.texels.push_back({value(i), value(i + 1), value(i + 2)});
   return t;
 }
 
@@ -75,12 +68,6 @@ float film_curve(float a) {
   a = std::max(0.f, a);
   return a * (a * 2.51f + 0.03f) / (a * (a * 2.43f + 0.59f) + 0.14f);  // Narkowicz 2015, a fit of ACES
 }
-png_byte encode(float a) {
-  a = std::max(0.f, std::min(a, 1.f));
-  a = a <= 0.0031308f ? 12.92f * a : 1.055f * std::pow(a, 1.f / 2.4f) - 0.055f;
-  return static_cast<png_byte>(255.f * a + 0.5f);
-}
-
 }  // namespace
 
 Texture read_texture(const std::string& file, bool colors) {
@@ -108,15 +95,12 @@ void write_exr(const std::string& file, int width, int height, const Window& win
 }
 
 void write_png(const std::string& file, const Window& window, const std::vector<Vec3>& pixels, float exposure) {
-  std::vector<png_byte> bytes;
+  std::vector<png_uint_16> words;  // linear: libpng makes sRGB of them
   for (const Vec3& p : pixels)
-    for (float v : {p.x, p.y, p.z}) bytes.push_back(encode(film_curve(exposure * v)));
-  png_image image{};
-  image.version = PNG_IMAGE_VERSION;
-  image.width = static_cast<png_uint_32>(window.x1 - window.x0);
-  image.height = static_cast<png_uint_32>(window.y1 - window.y0);
-  image.format = PNG_FORMAT_RGB;
-  if (!png_image_write_to_file(&image, file.c_str(), 0, bytes.data(), 0, nullptr)) fail(file, image.message);
+    for (float v : {p.x, p.y, p.z})
+      words.push_back(static_cast<png_uint_16>(65535.f * std::min(1.f, film_curve(exposure * v)) + 0.5f));
+  png_image image = png_of(window.x1 - window.x0, window.y1 - window.y0, PNG_FORMAT_LINEAR_RGB);
+  if (!png_image_write_to_file(&image, file.c_str(), 1, words.data(), 0, nullptr)) fail(file, image.message);
 }
 
 }  // namespace wavefront

@@ -3,15 +3,9 @@
 namespace wavefront {
 namespace {
 
-/// Sky, sun and what is in the scene have the same chance each, where there are such.
-struct Shares {
-  float sky, sun, near;
-};
-Shares shares(const Scene& scene) {
-  float sky = scene.environment.size > 0 ? 1.f : 0.f, sun = scene.environment.sun_cos < 1.f ? 1.f : 0.f;
-  float near = scene.lights.empty() ? 0.f : 1.f;
-  float inv = 1.f / std::max(1.f, sky + sun + near);
-  return {sky * inv, sun * inv, near * inv};
+/// The sky and what is in the scene have the same chance, where there are both.
+float share_of_sky(const Scene& scene) {
+  return scene.environment.size == 0 ? 0.f : scene.lights.empty() ? 1.f : 0.5f;
 }
 
 float area_to_angle(Vec3 from, Vec3 position, Vec3 normal, float area) {
@@ -49,29 +43,26 @@ LightSample sample_sphere(const Sphere& sphere, Vec3 from, Vec2 disk) {
 }  // namespace
 
 LightSample sample_light(const Scene& scene, Vec3 from, Vec2 u, Vec2 disk, float select) {
-  Shares share = shares(scene);
+  float sky = share_of_sky(scene);
   LightSample light{};
-  if (select < share.sky) {
+  if (select < sky) {
     light = sample_sky(scene.environment, u);
-    light.pdf *= share.sky;
-  } else if (select < share.sky + share.sun) {
-    light = sample_sun(scene.environment, disk);
-    light.pdf *= share.sun;
-  } else if (share.near > 0.f) {
-    float v = (select - share.sky - share.sun) / share.near;
+    light.pdf *= sky;
+  } else if (!scene.lights.empty()) {
+    float v = (select - sky) / (1.f - sky);
     auto found = std::upper_bound(scene.light_sums.begin(), scene.light_sums.end() - 1, v);
     Primitive primitive = scene.lights[static_cast<std::size_t>(found - scene.light_sums.begin())];
     std::size_t triangles = scene.triangles.size();
     light = primitive < triangles ? sample_triangle(scene.triangles[primitive], from, u)
                                   : sample_sphere(scene.spheres[primitive - triangles], from, disk);
-    light.pdf *= share.near * scene.light_share[primitive];
+    light.pdf *= (1.f - sky) * scene.light_share[primitive];
     light.radiance = scene.materials[scene.material_of(primitive)].emission;
   }
   return light;
 }
 
 float light_pdf(const Scene& scene, Primitive primitive, Vec3 from, Vec3 position, Vec3 normal) {
-  float share = shares(scene).near * scene.light_share[primitive];
+  float share = (1.f - share_of_sky(scene)) * scene.light_share[primitive];
   std::size_t triangles = scene.triangles.size();
   if (primitive >= triangles) {
     float cone = one_minus_cos(scene.spheres[primitive - triangles], from);
@@ -83,12 +74,8 @@ float light_pdf(const Scene& scene, Primitive primitive, Vec3 from, Vec3 positio
 }
 
 Vec3 escaped_light(const Scene& scene, Vec3 direction, float bsdf_pdf, bool mis) {
-  Shares share = shares(scene);
-  const Environment& e = scene.environment;
-  Sky sky = sky_at(e, direction);
-  Vec3 light = (mis ? mis_weight(bsdf_pdf, share.sky * sky.pdf) : 1.f) * sky.radiance;
-  if (in_sun(e, direction)) light = light + (mis ? mis_weight(bsdf_pdf, share.sun * sun_pdf(e)) : 1.f) * e.sun_radiance;
-  return light;
+  Sky sky = sky_at(scene.environment, direction);
+  return (mis ? mis_weight(bsdf_pdf, share_of_sky(scene) * sky.pdf) : 1.f) * sky.radiance;
 }
 
 }  // namespace wavefront

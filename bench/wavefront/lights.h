@@ -10,7 +10,7 @@ LightSample sample_light(const Scene& scene, Vec3 from, Vec2 u, Vec2 disk, float
 
 /// The density that sample_light has for the direction in which a ray from `from` met `position` of a primitive.
 float light_pdf(const Scene& scene, Primitive primitive, Vec3 from, Vec3 position, Vec3 normal);
-/// Radiance of a ray that met nothing, each part times its own weight of multiple importance sampling.
+/// Radiance of a ray that met nothing, times the weight of multiple importance sampling.
 Vec3 escaped_light(const Scene& scene, Vec3 direction, float bsdf_pdf, bool mis);
 
 /// Veach's power heuristic. Densities are at most 2^60, so squares are finite.

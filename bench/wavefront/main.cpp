@@ -23,12 +23,10 @@ Scene scene_of(const Options& options) {
     scene.environment = environment_of_latlong(read_texture(options.environment, false));
   else if (!options.scene.empty())
     scene.environment = default_scene().environment;
-  if (!options.camera.empty()) {
-    Camera& c = scene.camera;
-    if (std::sscanf(options.camera.c_str(), "%f,%f,%f,%f,%f,%f,%f", &c.from.x, &c.from.y, &c.from.z, &c.at.x, &c.at.y,
-                    &c.at.z, &c.fov) != 7)
-      throw std::runtime_error("--camera: is not seven numbers x,y,z,x,y,z,f");
-    if (!(length(c.at - c.from) < 1e18f) || !(length(c.at - c.from) > 0.f) || !(c.fov > 0.f && c.fov < 179.f))
+  if (const auto& c = options.camera; !c.empty()) {
+    scene.camera = {{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, c[6]};
+    float distance = length(scene.camera.at - scene.camera.from);
+    if (!(distance > 0.f && distance < 1e18f && c[6] > 0.f && c[6] < 179.f))
       throw std::runtime_error("--camera: looks nowhere");
   }
   scene.finish(options.embree);

@@ -1,6 +1,7 @@
 // OBJ files with the PBR keys of their materials: Pr, Pm, aniso, anisor, Ni, Tf, Ke, map_Kd, map_Pr, norm. And two of
 // our own: lean_x and lean_y, theta_x and theta_y in turns.
 #include <cstdlib>
+#include <filesystem>
 #include <map>
 #include <stdexcept>
 
@@ -34,16 +35,16 @@ float number(const tinyobj::material_t& given, const char* key) {
 
 class Textures {
  public:
-  Textures(std::string folder, Scene& scene) : folder_(std::move(folder)), scene_(scene) {}
+  Textures(std::filesystem::path folder, Scene& scene) : folder_(std::move(folder)), scene_(scene) {}
   int number_of(const std::string& name, bool colors) {
     if (name.empty()) return -1;
     auto [entry, is_new] = numbers_.try_emplace(name, static_cast<int>(scene_.textures.size()));
-    if (is_new) scene_.textures.push_back(read_texture(folder_ + name, colors));
+    if (is_new) scene_.textures.push_back(read_texture(folder_ / name, colors));
     return entry->second;
   }
 
  private:
-  std::string folder_;
+  std::filesystem::path folder_;
   Scene& scene_;
   std::map<std::string, int> numbers_;
 };
@@ -98,33 +99,33 @@ Scene read_obj(const std::string& file) {
   tinyobj::ObjReader reader;
   if (!reader.ParseFromFile(file)) fail("cannot be read as OBJ");
   const auto& attributes = reader.GetAttrib();
-  std::size_t slash = file.rfind('/');
   Scene scene;
-  Textures textures(slash == std::string::npos ? "" : file.substr(0, slash + 1), scene);
+  Textures textures(std::filesystem::path(file).parent_path(), scene);
   for (const auto& given : reader.GetMaterials()) scene.materials.push_back(material_of(given, textures));
   scene.materials.push_back({});  // of faces that have none
 
   auto corner = [&](const tinyobj::index_t& i) {
-    auto within = [](int index, std::size_t size) { return index >= 0 && static_cast<std::size_t>(index) < size; };
-    if (!within(i.vertex_index, attributes.vertices.size() / 3)) fail("a face has an index out of range");
     if (i.normal_index < 0) fail("a face has no normals");
-    if (!within(i.normal_index, attributes.normals.size() / 3)) fail("a face has an index out of range");
-    if (i.texcoord_index >= 0 && !within(i.texcoord_index, attributes.texcoords.size() / 2))
-      fail("a face has an index out of range");
-    const float* uv =
-        i.texcoord_index >= 0 ? &attributes.texcoords[2 * static_cast<std::size_t>(i.texcoord_index)] : nullptr;
-    return Corner{vec3(&attributes.vertices[3 * static_cast<std::size_t>(i.vertex_index)]),
-                  vec3(&attributes.normals[3 * static_cast<std::size_t>(i.normal_index)]),
-                  uv ? Vec2{uv[0], uv[1]} : Vec2{0.f, 0.f}};
+    auto at = [](const std::vector<float>& values, int index, std::size_t size) {
+      return &values.at(size * static_cast<std::size_t>(index) + size - 1) - (size - 1);
+    };
+    const float *position = at(attributes.vertices, i.vertex_index, 3),
+                *normal = at(attributes.normals, i.normal_index, 3);
+    if (i.texcoord_index < 0) return Corner{vec3(position), vec3(normal), {0.f, 0.f}};
+    const float* uv = at(attributes.texcoords, i.texcoord_index, 2);
+    return Corner{vec3(position), vec3(normal), {uv[0], uv[1]}};
   };
-  for (const auto& shape : reader.GetShapes()) {
-    const auto& mesh = shape.mesh;
-    for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
-      scene.triangles.push_back({{corner(mesh.indices[t]), corner(mesh.indices[t + 1]), corner(mesh.indices[t + 2])}});
-      int material = mesh.material_ids[t / 3];
-      scene.materials_of_triangles.push_back(material >= 0 ? material : static_cast<int>(scene.materials.size()) - 1);
+  for (const auto& shape : reader.GetShapes()) try {
+      const auto& mesh = shape.mesh;
+      for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
+        scene.triangles.push_back(
+            {{corner(mesh.indices[t]), corner(mesh.indices[t + 1]), corner(mesh.indices[t + 2])}});
+        int material = mesh.material_ids[t / 3];
+        scene.materials_of_triangles.push_back(material >= 0 ? material : static_cast<int>(scene.materials.size()) - 1);
+      }
+    } catch (const std::out_of_range&) {
+      fail("a face has an index out of range");
     }
-  }
   if (scene.triangles.empty()) fail("has no faces");
   aim(scene);
   return scene;

@@ -9,7 +9,8 @@ namespace wavefront {
 
 struct Options {
   Task task;
-  std::string scene, environment, camera;  // empty: the default ones
+  std::string scene, environment;  // empty: the default ones
+  std::vector<float> camera;       // seven numbers, or none
   std::string out = "wavefront.exr", png, statistics;
   std::string isa, embree;  // empty: the library's and Embree's choice
   float exposure = 1.f;

@@ -31,6 +31,7 @@ struct Columns3 {
   explicit Columns3(std::size_t size) : x(size), y(size), z(size) {}
   Vec3 get(std::size_t i) const { return {x[i], y[i], z[i]}; }
   void set(std::size_t i, Vec3 v) { x[i] = v.x, y[i] = v.y, z[i] = v.z; }
+  void add(std::size_t i, Vec3 v) { set(i, get(i) + v); }
 };
 
 struct Paths {

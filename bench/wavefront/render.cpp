@@ -4,6 +4,7 @@
 #include <chrono>
 #include <mutex>
 
+#include <tbb/blocked_range2d.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
@@ -45,18 +46,6 @@ struct Film {
   }
 };
 
-/// Tiles of the crop, all of a few samples before more samples of any: what is interrupted is a picture too.
-std::vector<Block> blocks_of(const Task& task) {
-  std::vector<Block> blocks;
-  const Window& crop = task.crop;
-  for (std::uint32_t first = task.first_sample; first < task.last_sample; first += kSamplesAtOnce)
-    for (int y = crop.y0; y < crop.y1; y += kTile)
-      for (int x = crop.x0; x < crop.x1; x += kTile)
-        blocks.push_back({x, y, std::min(x + kTile, crop.x1), std::min(y + kTile, crop.y1), first,
-                          std::min(first + kSamplesAtOnce, task.last_sample)});
-  return blocks;
-}
-
 }  // namespace
 
 Picture render(const Scene& scene, const Task& task, const std::atomic<bool>& stop,
@@ -65,30 +54,36 @@ Picture render(const Scene& scene, const Task& task, const std::atomic<bool>& st
   auto begin = Time::now();
   auto seconds = [&] { return std::chrono::duration<double>(Time::now() - begin).count(); };
   Film film(task.crop);
-  std::vector<Block> blocks = blocks_of(task);
-  std::size_t tiles = 0;
-  while (tiles < blocks.size() && blocks[tiles].first == task.first_sample) ++tiles;
-
   tbb::enumerable_thread_specific<std::unique_ptr<Worker>> workers([] { return std::make_unique<Worker>(); });
   std::atomic<bool> ended{false};
   std::mutex telling;
-  std::size_t done = 0;
-  auto run = [&](std::size_t number) {
+  double done = 0., all = static_cast<double>(film.sums.size()) * (task.last_sample - task.first_sample);
+  auto run = [&](const Block& block) {
     if (stop || (task.time_limit > 0. && seconds() > task.time_limit)) ended = true;
     if (ended) return;
     Worker& worker = *workers.local();
-    trace(scene, task.settings, blocks[number], worker);
-    film.add(blocks[number], worker.radiance);  // no other thread has this tile now
+    trace(scene, task.settings, block, worker);
+    film.add(block, worker.radiance);  // no other thread has this tile now
     worker.clock.lap(worker.statistics, Stage::accumulate);
     std::lock_guard<std::mutex> lock(telling);
-    progress(static_cast<double>(++done) / static_cast<double>(blocks.size()));
+    done += (block.x1 - block.x0) * (block.y1 - block.y0) * static_cast<double>(block.last - block.first);
+    progress(done / all);
   };
   int threads = task.threads > 0 ? task.threads : tbb::this_task_arena::max_concurrency();
   tbb::global_control control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  tbb::blocked_range2d<int> tiles(task.crop.y0, task.crop.y1, kTile, task.crop.x0, task.crop.x1, kTile);
   tbb::task_arena(threads).execute([&] {
-    // Samples of one tile come one after the other: a task is a tile of one pass.
-    for (std::size_t pass = 0; pass < blocks.size() && !ended; pass += tiles)
-      tbb::parallel_for(pass, pass + tiles, run, tbb::simple_partitioner());
+    // A few samples of all tiles before more of any: what is interrupted is a picture too.
+    for (std::uint32_t first = task.first_sample, last; first < task.last_sample && !ended; first = last) {
+      last = std::min(first + kSamplesAtOnce, task.last_sample);
+      tbb::parallel_for(
+          tiles,
+          [&](const auto& tile) {
+            const auto &x = tile.cols(), &y = tile.rows();
+            run({x.begin(), y.begin(), x.end(), y.end(), first, last});
+          },
+          tbb::simple_partitioner());
+    }
   });
 
   Picture picture{film.means(), {}, seconds(), !ended};

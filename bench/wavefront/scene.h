@@ -63,14 +63,12 @@ struct SkyTexel {
   Vec3 radiance;
   float pdf;  // over the square [-1, 1]^2
 };
-/// Light from far away: a map of the whole sphere of directions, and a sun.
+/// Light from far away: a map of the whole sphere of directions.
 struct Environment {
   // Octahedral: no trigonometry where it is looked up or sampled. Texels are sampled by their light.
   int size = 0;
   std::vector<SkyTexel> texels;
   std::vector<float> rows, columns;  // cumulative
-  Vec3 sun{0.f, 0.f, 1.f}, sun_radiance{0.f, 0.f, 0.f};
-  float sun_cos = 1.f;  // of its angular radius
 };
 /// The map from a function of the direction.
 template <class Radiance>
@@ -78,9 +76,7 @@ Environment make_environment(int size, Radiance radiance);
 
 struct Camera {
   Vec3 from{0.f, 1.f, 5.f}, at{0.f, 0.f, 0.f};
-  float fov = 40.f;   // in degrees, of the width
-  float lens = 0.f;   // radius of the lens
-  float focus = 0.f;  // distance; 0: that of `at`
+  float fov = 40.f;  // in degrees, of the width
 };
 
 struct Bin {

@@ -39,8 +39,7 @@ void gather(const Scene& scene, const Settings& settings, Kind kind, std::uint32
     if (!is_zero(m.emission)) {  // lights do not reflect
       float weight =
           settings.mis ? mis_weight(paths.pdf[p], light_pdf(scene, primitive, origin, s.position, s.normal)) : 1.f;
-      std::uint32_t slot = paths.slot[p];
-      w.radiance.set(slot, w.radiance.get(slot) + weight * (paths.throughput.get(p) * m.emission));
+      w.radiance.add(paths.slot[p], weight * (paths.throughput.get(p) * m.emission));
       continue;
     }
     float side = dot(s.normal, wo) < 0.f ? -1.f : 1.f;
@@ -151,8 +150,7 @@ Vec3 sample_weight(Kind kind, Batch& b, const Vertices& v, std::uint32_t i) {
       b.pdf[i] = b.wi.z[i] / kPi;
       return v.color[i];
     case Kind::plastic: {
-      Vec3 h = b.wo.get(i) + b.wi.get(i);
-      Response r = plastic(b, v, i, b.wi.z[i], std::min(1.f, 0.5f * length(h)), b.weight[i], b.pdf[i]);
+      Response r = plastic(b, v, i, b.wi.z[i], b.cosine[i], b.weight[i], b.pdf[i]);
       b.pdf[i] = r.pdf;
       return r.pdf > 0.f ? (1.f / r.pdf) * r.f_cos : Vec3{0.f, 0.f, 0.f};
     }
@@ -232,13 +230,12 @@ void shade(const Scene& scene, const Settings& settings, const Bin& bin, std::ui
   if (leaning) shape = {{leaning->alpha_x, leaning->alpha_y}, leaning->theta_x, leaning->theta_y, leaning->theta_z};
   if (bin.kind != Kind::diffuse) shade_batch(bin.kind, shape, settings.sampling, b);
   if (bin.kind != Kind::diffuse) w.statistics.shaded_by_library += b.count;
-  w.clock.lap(w.statistics, Stage::library);
-
   if (bin.kind == Kind::diffuse) sample_cosines(b, w.vertices, [](std::uint32_t) { return true; });
   if (bin.kind == Kind::plastic) {
     sample_cosines(b, w.vertices, [&](std::uint32_t i) { return b.u.z[i] >= chance_of_coat(b, i); });
     evaluate_batch(settings.sampling, b);
   }
+  w.clock.lap(w.statistics, Stage::library);
   scatter_shadows(scene, bin.kind, w);
   scatter_paths(scene, bin.kind, w);
   w.clock.lap(w.statistics, Stage::scatter);

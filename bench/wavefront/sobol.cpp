@@ -28,25 +28,18 @@ struct Point {
   std::uint32_t x[4];
 };
 
-/// The points of the sequence, bits reversed, for either half of a 16-bit index that is reversed itself.
+/// The first points of the sequence, bits reversed, by either half of a 16-bit index that is reversed itself. The one
+/// of any index is the exclusive or of two.
 struct Tables {
-  Point high[256], low[256];
+  Point high[256] = {}, low[256] = {};
   Tables() {
-    boost::random::sobol_engine<std::uint32_t, 32> engine(4);
-    Point direction[16];
-    for (unsigned bit = 0; bit < 16; ++bit) {
-      engine.seed((2u << bit) - 2u);  // Gray's code of the next index has this bit alone
-      for (auto& x : direction[bit].x) x = reversed(static_cast<std::uint32_t>(engine()));
+    boost::random::sobol_engine<std::uint32_t, 32> engine(4);  // from point 1 on
+    for (std::uint32_t i = 1; i < kMostSamples; ++i) {
+      Point point;
+      for (auto& x : point.x) x = reversed(static_cast<std::uint32_t>(engine()));
+      if (i < 256) high[reversed(i) >> 24] = point;
+      if (i % 256 == 0) low[reversed(i) >> 16] = point;
     }
-    for (unsigned i = 0; i < 256; ++i)
-      for (int d = 0; d < 4; ++d) {
-        high[i].x[d] = low[i].x[d] = 0;
-        for (unsigned bit = 0; bit < 8; ++bit)
-          if (i >> bit & 1) {
-            high[i].x[d] ^= direction[7 - bit].x[d];
-            low[i].x[d] ^= direction[15 - bit].x[d];
-          }
-      }
   }
 };
 const Tables kTables;

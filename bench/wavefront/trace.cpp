@@ -9,28 +9,22 @@ namespace {
 
 constexpr int kMostBins = 64;
 
-void add(Columns3& sum, std::uint32_t slot, Vec3 light) {
-  sum.x[slot] += light.x, sum.y[slot] += light.y, sum.z[slot] += light.z;
-}
-
 /// The tent of width 2 that a pixel weighs its surroundings with.
 float tent(float u) {
   return u < 0.5f ? std::sqrt(2.f * u) - 1.f : 1.f - std::sqrt(2.f - 2.f * u);
 }
 
 struct View {
-  Vec3 from, right, down, corner;  // on the plane of focus; right and down are of one pixel
-  Vec3 lens_x, lens_y;
+  Vec3 from, right, down, corner;  // on a plane at distance 1; right and down are of one pixel
 };
 View view_of(const Camera& camera, int width, int height) {
   Vec3 ahead = normalize(camera.at - camera.from);
   auto [right, down, forward] = frame_of(ahead, cross(ahead, {0.f, 1.f, 0.f}));
-  float focus = camera.focus > 0.f ? camera.focus : length(camera.at - camera.from);
   // Rounded, as machines differ in the last bits of a tangent.
   double half = std::tan(double(camera.fov) * (3.14159265358979 / 360));
-  float pixel = 2.f * focus * static_cast<float>(std::floor(half * 0x1p20 + 0.5) * 0x1p-20) / static_cast<float>(width);
-  Vec3 corner = focus * forward - (0.5f * width * pixel) * right - (0.5f * height * pixel) * down;
-  return {camera.from, pixel * right, pixel * down, corner, camera.lens * right, camera.lens * down};
+  float pixel = 2.f * static_cast<float>(std::floor(half * 0x1p20 + 0.5) * 0x1p-20) / static_cast<float>(width);
+  Vec3 corner = forward - (0.5f * width * pixel) * right - (0.5f * height * pixel) * down;
+  return {camera.from, pixel * right, pixel * down, corner};
 }
 
 /// Paths number `begin` and on of the block, as many as there is room for.
@@ -38,34 +32,21 @@ std::uint32_t start_paths(const Settings& settings, const View& view, const Bloc
                           std::uint32_t end, Worker& w) {
   Paths& paths = w.paths;
   std::uint32_t width = block.x1 - block.x0, pixels = width * (block.y1 - block.y0), slot = begin;
-  while (slot < end && paths.count < kCapacity) {
-    std::uint32_t count = std::min({end - slot, kCapacity - paths.count, kBatch});
-    for (std::uint32_t i = 0; i < count; ++i) {
-      std::uint32_t p = paths.count + i, pixel = (slot + i) % pixels;
-      std::uint32_t x = block.x0 + pixel % width, y = block.y0 + pixel / width;
-      paths.slot[p] = slot + i;
-      paths.seed[p] = pixel_seed(x, y, settings.seed);
-      paths.sample[p] = reversed(block.first + (slot + i) / pixels);
-      Random4 r = random4(paths.sample[p], paths.seed[p], 0);
-      paths.origin.set(p,
-                       {static_cast<float>(x) + 0.5f + tent(r.x[0]), static_cast<float>(y) + 0.5f + tent(r.x[1]), 0.f});
-      w.vertices.light_u[i] = r.x[2], w.vertices.light_v[i] = r.x[3];
-    }
-    vndf::sample_disk(vndf::DiskMap::concentric, count, {w.vertices.light_u.data(), w.vertices.light_v.data()},
-                      {w.vertices.disk_x.data(), w.vertices.disk_y.data()});
-    for (std::uint32_t i = 0; i < count; ++i) {
-      std::uint32_t p = paths.count + i;
-      Vec3 lens = w.vertices.disk_x[i] * view.lens_x + w.vertices.disk_y[i] * view.lens_y;
-      Vec3 raster = paths.origin.get(p);
-      paths.direction.set(p, normalize(view.corner + raster.x * view.right + raster.y * view.down - lens));
-      paths.origin.set(p, view.from + lens);
-      paths.throughput.set(p, {1.f, 1.f, 1.f});
-      paths.pdf[p] = 0x1p60f;  // no light was sampled for it
-      paths.depth[p] = 0;
-      w.radiance.set(slot + i, {0.f, 0.f, 0.f});
-    }
-    paths.count += count;
-    slot += count;
+  for (; slot < end && paths.count < kCapacity; ++slot, ++paths.count) {
+    std::uint32_t p = paths.count, pixel = slot % pixels;
+    std::uint32_t x = block.x0 + pixel % width, y = block.y0 + pixel / width;
+    paths.slot[p] = slot;
+    paths.seed[p] = pixel_seed(x, y, settings.seed);
+    paths.sample[p] = reversed(block.first + slot / pixels);
+    paths.depth[p] = 0;
+    paths.pdf[p] = 0x1p60f;  // no light was sampled for it
+    Random4 r = random4(paths.sample[p], paths.seed[p], 0);
+    Vec3 right = (static_cast<float>(x) + 0.5f + tent(r.x[0])) * view.right;
+    Vec3 down = (static_cast<float>(y) + 0.5f + tent(r.x[1])) * view.down;
+    paths.origin.set(p, view.from);
+    paths.direction.set(p, normalize(view.corner + right + down));
+    paths.throughput.set(p, {1.f, 1.f, 1.f});
+    w.radiance.set(slot, {0.f, 0.f, 0.f});
   }
   w.statistics.paths += slot - begin;
   return slot;
@@ -78,7 +59,7 @@ void bin_hits(const Scene& scene, const Settings& settings, Worker& w, std::uint
     Primitive primitive = w.hits.primitive[p];
     if (primitive == kNothing) {
       Vec3 light = escaped_light(scene, w.paths.direction.get(p), w.paths.pdf[p], settings.mis);
-      add(w.radiance, w.paths.slot[p], w.paths.throughput.get(p) * light);
+      w.radiance.add(w.paths.slot[p], w.paths.throughput.get(p) * light);
       continue;
     }
     w.hits.bin[p] = static_cast<std::uint16_t>(scene.materials[scene.material_of(primitive)].bin);
@@ -118,7 +99,7 @@ void trace(const Scene& scene, const Settings& settings, const Block& block, Wor
 
     for (std::uint32_t s = 0; s < w.shadows.count; ++s)
       if (!occluded(scene, w.shadows.origin.get(s), w.shadows.direction.get(s), w.shadows.distance[s]))
-        add(w.radiance, w.shadows.slot[s], w.shadows.radiance.get(s));
+        w.radiance.add(w.shadows.slot[s], w.shadows.radiance.get(s));
     w.statistics.shadow_rays += w.shadows.count;
     std::swap(w.paths, w.next);
     w.clock.lap(w.statistics, Stage::shadow);

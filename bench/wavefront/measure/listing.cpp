@@ -117,6 +117,7 @@ void evaluate_batch(const Sampling&, Batch& b) {
   for (std::uint32_t i = 0; i < b.count; ++i) {
     Value v = reflected(b.wo.get(i), b.wi.get(i), {b.alpha_x[i], b.alpha_y[i]});
     b.weight[i] = v.f_cos, b.pdf[i] = v.pdf;
+    b.cosine[i] = std::min(1.f, 0.5f * length(b.wo.get(i) + b.wi.get(i)));
   }
 }
 
