@@ -336,5 +336,16 @@ TEST(Column, IsANumberOrAPointer) {
   EXPECT_EQ(Column(values).data, values);
 }
 
+#if defined(NDEBUG)
+// preconditions_test has what debug builds say.
+TEST(Column, ThatIsNullIsTheConstantZero) {
+  const float* forgotten = nullptr;
+  float null[3], zero[3];
+  sample_normals(Warp::polar, 1, {0.6f, 0, 0.8f}, {forgotten, 0.3f}, {0.3f, 0.4f}, {&null[0], &null[1], &null[2]});
+  sample_normals(Warp::polar, 1, {0.6f, 0, 0.8f}, {0, 0.3f}, {0.3f, 0.4f}, {&zero[0], &zero[1], &zero[2]});
+  for (int c = 0; c < 3; ++c) EXPECT_EQ(null[c], zero[c]);
+}
+#endif
+
 }  // namespace
 }  // namespace vndf::testing

@@ -7,8 +7,8 @@
 // Guarantees, of every function that takes columns:
 //  - Identical bits: scalar, SSE4.2, AVX2, AVX-512, NEON agree in every bit of every result that is not NaN, and have
 //    NaN in the same places. Only + - * / sqrt, comparisons and bit operations are used, each rounded as IEEE 754 says,
-//    so any other IEEE 754 machine agrees too. Neither the flags of the program reach the bits, -ffast-math among
-//    them, nor the modes of the calling thread: rounding, FTZ, DAZ and traps are C++'s own for the call.
+//    so any other IEEE 754 machine agrees too. Neither the program's compiler flags, -ffast-math among them, nor the
+//    modes of the calling thread change them: during a call, rounding, FTZ, DAZ and traps are as C++ begins with.
 //  - Lanes are independent: a result depends on the inputs of its own index alone, not on how a batch is split, where
 //    it starts, or what its neighbours are.
 //  - noexcept, no allocation, no locks, and no global state but the choice of the instruction set: callable from any
@@ -18,21 +18,21 @@
 //    [0, count) of an output.
 //  - In place: an output may be the same column as an input of the same call, since every input of an index is read
 //    before its outputs are written. Outputs must not overlap one another, nor an input at another offset.
-//  - Every output is written. Pointers may be null only for count 0, and those of outputs that are said to be optional.
-//  - Preconditions: such pointers, enumerators in their range, count <= PTRDIFF_MAX / 4. Debug builds of the library
-//    assert them.
+//  - Every output is written. A pointer may be null only where count is 0 or the output is said to be optional.
+//  - Preconditions, which debug builds of the library assert: such pointers, enumerators in their range, and count <=
+//    PTRDIFF_MAX / 4.
 //  - Results are finite for finite inputs of the stated domains. Densities are at most 2^60, which stands for a delta
-//    (alpha 0, an index of 1). Its square is finite too, so the weights of multiple importance sampling are those
-//    of a delta.
+//    (alpha 0, an index of 1). Its square is finite too, so multiple importance sampling weighs it as a delta.
 //  - NaN or infinity in any input, and inputs outside the stated domain, give unspecified values or NaN in that lane
 //    alone, unless a function says otherwise.
 //
-// Accuracy is stated as a ratio, since some inputs are so steep that a distance says nothing. It is the error of a
-// result, over the sum of two things: what the exact result moves by when each input moves by half a unit of its last
-// place, and half a unit of the result's last place. A correctly rounded result has at most 1. tests/ratio holds the
-// bounds, against the papers' plain formulas in quadruple precision: alpha from 1e-6 to 100 and eight decades apart,
-// views off unit length by up to 1e-3, random numbers of any spacing from 2^-149, 0 and 1 included. A search for worse
-// inputs finds 5.8 where 6 is stated, and 32 where 8 is, for alpha seven decades apart. eps is 2^-24.
+// Accuracy is stated as a ratio, since some problems are so steep that a distance says nothing. The ratio is the error
+// of a result over the sum of two things: what the exact result moves by when each input moves by half a unit of its
+// last place, all moves added up; and 2^-25 of the result. A correctly rounded result has at most 2. tests/ratio
+// measures it against the papers' plain formulas in quadruple precision, for alpha from 1e-6 to 100 and up to eight
+// decades apart, views off unit length by up to 1e-3, random numbers of any spacing from 2^-149, 0 and 1 included. The
+// bounds below are those of these tests. A search for worse inputs finds 5.8 where 6 is stated, and 32 where 8 is, for
+// alpha seven decades apart. eps is 2^-24.
 #pragma once
 
 #include <cstddef>
@@ -100,8 +100,9 @@ enum class DiskMap { polar, concentric };
 ///
 /// Domain   alpha from 1e-30 to 2^24, |alpha wo| < 2^126. Accuracy is promised for alpha from 1e-6 to 100.
 /// Error    ratio at most 6 for polar and concentric (p99.9 4), 8 for spherical_cap; |wm| within 5 eps of 1.
-/// Special  u = 0 and 1: the limit. alpha = 0: (0, 0, 1). Negative alpha: wo is mirrored in that axis, and the normal
-///          mirrored back. wo = 0, and wo = (0, 0, -1), which sees no normal: some unit normal of the upper hemisphere.
+/// Special  u = 0 and 1: the limit. alpha = 0: (0, 0, 1), within 2 eps. Negative alpha: wo is mirrored in that axis,
+///          and the normal mirrored back. wo = 0, and wo = (0, 0, -1), which sees no normal: some unit normal of the
+///          upper hemisphere.
 /// Source   Heitz, Sampling the GGX Distribution of Visible Normals, JCGT 7(4), 2018, sections 3 and 4, in the forms
 ///          without cancellation that lanes/hemisphere.h derives. include/README.md has the fine print.
 void sample_normals(Warp warp, std::size_t count, const Columns3& wo, const Columns2& alpha, const Columns2& u,
@@ -124,9 +125,9 @@ enum class Masking {
 
 struct ReflectionOptions {
   Masking masking = Masking::height_correlated;
-  /// Leaves out normals that can only reflect below the surface, where the smaller alpha and the view tell (Eto and
-  /// Tokuyoshi 2023; Tokuyoshi and Eto 2024). The less alpha_x and alpha_y differ, the more it leaves out: rejected
-  /// samples go from 49 % to 0 (alpha 1, near-normal view), from 26 % to 4 % (0.6), from 23 % to 21 % (0.2 and 0.8).
+  /// Leaves out normals that can only reflect below the surface, as far as the view and the smaller alpha tell them
+  /// (Eto and Tokuyoshi 2023; Tokuyoshi and Eto 2024). The less alpha_x and alpha_y differ, the more it leaves out: for
+  /// wo.z = 0.95, rejected samples go from 49 % to 0 (alpha 1), 26 % to 4 % (0.6), 23 % to 21 % (0.2 and 0.8).
   /// Samples, density and weight are those of the smaller set of normals, so evaluation must be told the same.
   bool bounded = false;
   /// Views from below (wo.z < 0, or -0) see the surface from above, mirrored: wo.z changes its sign, and so do wi.z and
@@ -135,8 +136,8 @@ struct ReflectionOptions {
   bool two_sided = false;
 };
 
-/// Where sample_reflection writes: wi, pdf and weight always; those of wm.x, wm.y, wm.z and wo_dot_wm that are not null
-/// pointers.
+/// Where sample_reflection writes: wi, pdf and weight always; wm.x, wm.y, wm.z and wo_dot_wm are optional, each where
+/// its pointer is not null.
 struct ReflectionSamples {
   Out3 wi;
   float* pdf;
@@ -148,7 +149,7 @@ struct ReflectionSamples {
 /// Samples reflection of the view at a visible normal, with density and weight, in one pass.
 ///
 /// warp       as for sample_normals. Bounded, polar and concentric lay their disk point on the cap by Lambert's map.
-/// wo         unit view directions. For z < 0 pdf and weight are 0, and wi is of no use, unless two-sided.
+/// wo         unit view directions. Unless two-sided, pdf and weight are 0 for z < 0, and wi is of no use.
 /// alpha, u   as for sample_normals.
 /// wi         2 (wo.wm) wm - wo, eq. 16. For wi.z <= 0 it is written all the same, and pdf and weight are 0.
 /// pdf        density of wi over solid angle, eq. 17: D(wm) G1(wo) / (4 wo.z), more if bounded.
@@ -157,19 +158,19 @@ struct ReflectionSamples {
 /// wo_dot_wm  its cosine to the view, for Fresnel's factor. Neither it nor wi.z is above 1 for unit views.
 ///
 /// Domain   alpha from 1e-6 to 100.
-/// Error    ratio at most 16 for wi, pdf and weight, that of sample_normals for wm, 8 for wm if bounded; |wi| within
-///          12 eps of |wo|. The weight is that of a wi whose z may be 2^-42 off, 2^-25 if bounded. pdf agrees with
-///          evaluate_reflection of the rounded wi within 4 eps (4 + 2 / alpha) / (wo.wm), alpha being the smaller one
-///          and at most 1; within twice that for alpha above 1.
-/// Special  alpha_x or alpha_y = 0: pdf at most 2^60, and exactly that where both are. wo = 0: pdf and weight 0.
+/// Error    ratio at most 16 for wi, pdf and weight; for wm that of sample_normals, or 8 if bounded. |wi| is within 16
+///          eps of |wo| where that is within 8 eps of 1, else within 24. For the weight, wi.z may be 2^-42 off besides,
+///          2^-25 if bounded. pdf agrees with evaluate_reflection of the rounded wi within 4 eps (4 + 2 / alpha) /
+///          (wo.wm), where alpha is the smaller one and at most 1; within twice that for alpha above 1.
+/// Special  alpha_x or alpha_y = 0: pdf at most 2^60, and exactly that where both are 0. wo = 0: pdf and weight 0.
 ///          Negative alpha: pdf and weight of |alpha|, normals of sample_normals. wo not of unit length: wi is as long,
-///          pdf is off by it; if bounded, the samples are others.
+///          and pdf is that of the unit view over |wo|; if bounded, the samples are others.
 /// Source   Heitz 2018, appendix B, in the forms without division by cosines of lanes/ndf.h and lanes/reflection.h.
 void sample_reflection(Warp warp, std::size_t count, const Columns3& wo, const Columns2& alpha, const Columns2& u,
                        const ReflectionSamples& out, const ReflectionOptions& options = {}) noexcept;
 
-/// Where the evaluations write: f_cos and pdf always, and evaluate_reflection wo_dot_wm if it is not a null pointer.
-/// evaluate_dielectric has no use for it: Fresnel's factor is in its f_cos, and the pointer must be null.
+/// Where the evaluations write: f_cos and pdf always. wo_dot_wm is optional for evaluate_reflection, and must be null
+/// for evaluate_dielectric, which has Fresnel's factor in its f_cos.
 struct Evaluations {
   float* f_cos;
   float* pdf;
@@ -179,18 +180,17 @@ struct Evaluations {
 /// The BRDF of a pair of directions, and the density that sample_reflection has for it: for light that was sampled
 /// otherwise, and for multiple importance sampling.
 ///
-/// wo, wi   unit directions.
-/// alpha    as for sample_normals; below 2^-60 it is taken as 2^-60.
-/// f_cos    f(wo, wi) wi.z without Fresnel's factor: D(h) G2(wo, wi) / (4 wo.z), eq. 15.
-/// pdf      density of wi given wo, under the same options as sample_reflection.
-/// wo_dot_wm  the cosine of either direction to the normal between them, for Fresnel's factor: |wo + wi| / 2, at
-/// most 1.
+/// wo, wi     unit directions.
+/// alpha      as for sample_normals; below 2^-60 it is taken as 2^-60.
+/// f_cos      f(wo, wi) wi.z without Fresnel's factor: D(h) G2(wo, wi) / (4 wo.z), eq. 15.
+/// pdf        density of wi given wo, under the same options as sample_reflection.
+/// wo_dot_wm  the cosine of either direction to the normal between them, for Fresnel's factor: |wo + wi| / 2, at most 1
+///            and within 4 eps, relatively.
 ///
 /// Domain   alpha from 1e-6 to 100, lengths near 1.
 /// Error    ratio at most 8; relative at most 25 eps. Nothing cancels: h = wo + wi is taken as it is.
 /// Special  wo.z < 0 (unless two-sided), wi.z <= 0 or wo = 0: f_cos and pdf 0. |wo + wi| < 2^-70: finite, perhaps 0.
-/// alpha = 0 and h = +z: up to
-///          2^60.
+///          alpha = 0 and h = +z: up to 2^60.
 /// Source   Heitz 2018, eq. 15 and 17; Eto and Tokuyoshi 2023, eq. 8.
 void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& wi, const Columns2& alpha,
                          const Evaluations& out, const ReflectionOptions& options = {}) noexcept;
@@ -203,8 +203,8 @@ void evaluate_reflection(std::size_t count, const Columns3& wo, const Columns3& 
 /// pdf      density of wm over solid angle; 0 where wm.z < 0 or wo.wm <= 0, and for wo = 0.
 ///
 /// Domain   alpha from 1e-6 to 100.
-/// Error    ratio at most 8; relative 25 eps / (wo.wm), since wo.wm is a sum of products of what is given. The integral
-///          over all wm is 1 within 1e-5.
+/// Error    ratio at most 8; relative at most 25 eps / (wo.wm), since wo.wm is a sum of products of what is given. The
+///          integral over all wm is 1 within 1e-5.
 /// Source   Heitz 2018, eq. 3.
 void pdf_normals(std::size_t count, const Columns3& wo, const Columns3& wm, const Columns2& alpha, float* pdf) noexcept;
 
@@ -231,7 +231,8 @@ struct DielectricOptions {
   constexpr DielectricOptions(Masking masking_ = Masking::height_correlated) noexcept : masking(masking_) {}
 };
 
-/// Where sample_dielectric writes: wi, pdf, weight and side always; of the others those that are not null pointers.
+/// Where sample_dielectric writes: wi, pdf, weight and side always; the others are optional, each where its pointer is
+/// not null.
 struct DielectricSamples {
   Out3 wi;
   float* pdf;
@@ -250,25 +251,26 @@ struct DielectricSamples {
 /// eta     index of refraction below the surface (z < 0) over the index above it.
 /// u       three uniform random numbers in [0, 1]: two for the normal. The third chooses reflection where it is less
 ///         than Fresnel's reflectance for unpolarised light, or than the probability given.
-/// wi      unit, on wo's side or across; written in any case. Where reflection is total and a given probability chose
-///         refraction it is a reflection, with pdf 0.
+/// wi      unit, on wo's side or across; written in any case. Where a given probability chose refraction and reflection
+///         is total, it is the reflected direction, with pdf 0.
 /// pdf     density of wi over solid angle, with the probability of the choice and the Jacobian of the half vector,
-///         eq. 14 and 17. 0, like weight, where wi comes out at the wrong side of the surface, or could not go there.
+///         eq. 14 and 17. Like the weight, it is 0 where wi comes out at the wrong side of the surface, and where light
+///         cannot take the side that was chosen.
 /// weight  f(wo, wi) |wi.z| / pdf: G2(wo, wi) / G1(wo), in [0, 1], since Fresnel's factor is in the choice. Where the
-///         probability of the choice was given, it has Fresnel's factor over that probability.
-/// side    1 where wi is a reflection, -1 where it is a refraction.
+///         probability of the choice was given, times Fresnel's factor over that probability.
+/// side    1 where reflection was chosen, -1 where refraction was.
 /// wm           the unit normal, on the side of the view.
 /// wo_dot_wm    its cosine to the view, in [0, 1].
-/// wi_dot_wm    its cosine to wi: the same for a reflection, negative for a refraction.
-/// reflectance  Fresnel's, at most 1 + 4 eps; 0 where the surface is index-matched.
+/// wi_dot_wm    its cosine to wi: as wo_dot_wm for a reflection, negative for a refraction.
+/// reflectance  Fresnel's, at most 1 + 12 eps; 0 where the surface is index-matched.
 ///
 /// Domain   alpha from 1e-6 to 100, eta from 0.1 to 10.
-/// Error    ratio at most 16 for wi, pdf and weight, where |eta - 1| >= 1e-4 and |wo| is within 8 eps of 1. For |wo|
-///          off by up to 1e-3 it holds for reflected wi and the weight alone. pdf is to 2^-62 absolute too, and the
-///          weight is that of a wi whose z may be 2^-42 off. A weight w of height-correlated masking across is within
-///          30 eps (1 - ln w), and at least 2^-118.
-/// Special  |eta - 1| < 2^-16 (from below, |1 / eta - 1|) counts as index-matched: wi = -wo, side -1, weight 1, pdf
-///          2^60; weight and pdf 0 for a horizontal view. eta 0, negative, NaN or not between 2^-20 and 2^20: pdf and
+/// Error    ratio at most 16 for wi, pdf and weight, where |eta - 1| >= 1e-4 and |wo| is within 8 eps of 1; |wi| is
+///          then within 96 eps of 1. For |wo| off by up to 1e-3 the ratio holds for reflected wi and the weight alone.
+///          pdf may be 2^-62 off besides, and wi.z 2^-42 for the weight. Height-correlated masking across is within 30
+///          eps (1 - ln G2 / G1), relatively, and at least 2^-118.
+/// Special  |eta - 1| < 2^-16 (seen from below, |1 / eta - 1|) counts as index-matched: wi = -wo, side -1, weight 1 and
+///          pdf 2^60, or both 0 for a horizontal view. eta 0, negative, NaN or not between 2^-20 and 2^20: pdf and
 ///          weight 0. wo = 0: the same.
 /// Source   Walter, Marschner, Li and Torrance, Microfacet Models for Refraction through Rough Surfaces, EGSR 2007,
 ///          with the normals of Heitz 2018.
@@ -284,9 +286,9 @@ void sample_dielectric(Warp warp, std::size_t count, const Columns3& wo, const C
 ///
 /// Error    ratio at most 8. Fresnel's transmittance is that of both cosines: f / eta^2 is symmetric to 1e-5 relative
 ///          where neither cosine to the normal is under 0.01.
-/// Special  both are 0 where no normal of the upper hemisphere takes wo to wi, by more than rounding, and for indices
-///          that are matched or impossible. So a sampled pair has a density here too, the same but for the rounding of
-///          wi, unless it is index-matched.
+/// Special  f_cos and pdf are 0 where the normal that would take wo to wi is not one of the upper hemisphere, by more
+///          than rounding, and where indices are matched or impossible. So a pair that was sampled with pdf > 0 has a
+///          pdf > 0 here too, the same but for the rounding of wi, unless it is index-matched.
 /// Source   Walter et al. 2007, eq. 20 and 21.
 void evaluate_dielectric(std::size_t count, const Columns3& wo, const Columns3& wi, const Columns2& alpha,
                          const Column& eta, const Evaluations& out, const DielectricOptions& options = {}) noexcept;

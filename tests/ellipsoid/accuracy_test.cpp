@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <cstring>
 
 #include <gtest/gtest.h>
 
@@ -253,8 +254,50 @@ TEST(MakeShape, Errors) {
   EXPECT_EQ(error({NAN, 0, 0, 0, 1, 0, 0, 0, 1}), ShapeError::not_finite);
   EXPECT_EQ(error({1, 0, 0, 0, INFINITY, 0, 0, 0, 1}), ShapeError::not_finite);
   EXPECT_EQ(error({1e-25f, 0, 0, 0, 1e-25f, 0, 0, 0, 1}), ShapeError::out_of_range);
+  for (float x : {0x1p-26f, 0x1p26f}) EXPECT_EQ(error({x, 0, 0, 0, 1, 0, 0, 0, 1}), ShapeError::none) << x;
+  for (float x : {0x1p-27f, 0x1p27f}) EXPECT_EQ(error({x, 0, 0, 0, 1, 0, 0, 0, 1}), ShapeError::out_of_range) << x;
+  EXPECT_EQ(error({1, 0, 0, 0, 1, 0, 0x1p26f, 0, 1}), ShapeError::none);
+  EXPECT_EQ(error({1, 0, 0, 0, 1, 0, 0x1p27f, 0, 1}), ShapeError::out_of_range);
+  // A column next to the plane of the others.
+  EXPECT_EQ(error({1, 0, 0, 0, 1, 0, 0x1p20f, 0x1p19f, 1}), ShapeError::none);
+  EXPECT_EQ(error({1, 0, 0, 0, 1, 0, 0x1p20f, 0x1p21f, 1}), ShapeError::not_positive);
   for (auto e : {ShapeError::none, ShapeError::not_finite, ShapeError::not_positive, ShapeError::out_of_range})
     EXPECT_GT(std::string(message(e)).size(), 5u);
+}
+
+// What is not taken changes nothing.
+TEST(MakeShape, LeavesTheShapeThatItDoesNotTake) {
+  const float good[9] = {0.3f, 0, 0, 0.1f, 0.5f, 0, 0, 0.2f, 1};
+  Shape shape, before;
+  ASSERT_EQ(make_shape(good, before), ShapeError::none);
+  for (const std::array<float, 9>& a : {std::array<float, 9>{NAN, 0, 0, 0, 1, 0, 0, 0, 1},
+                                        {1, 2, 3, 4, 5, 6, 7, 8, 9},
+                                        {1e-25f, 0, 0, 0, 1, 0, 0, 0, 1}}) {
+    float rows[9];
+    std::copy(a.begin(), a.end(), rows);
+    shape = before;
+    ASSERT_NE(make_shape(rows, shape), ShapeError::none);
+    EXPECT_EQ(std::memcmp(&shape, &before, sizeof shape), 0);
+  }
+}
+
+// Azimuths of a view along n count from the normal of A y and A n, of the matrix as it is given.
+TEST(MakeShape, AzimuthsOfNormalViews) {
+  for (double theta_z : {0., 0.7, -2.}) {
+    M3<double> a = matrix<double>({0.3f, 0.6f, 0.4f, -0.3f, float(theta_z)});
+    const float rows[9] = {float(a.c1.x), float(a.c2.x), float(a.c3.x), float(a.c1.y), float(a.c2.y),
+                           float(a.c3.y), float(a.c1.z), float(a.c2.z), float(a.c3.z)};
+    Shape shape;
+    ASSERT_EQ(make_shape(rows, shape), ShapeError::none);
+    const Vec3<double> x = unit(cross(a.c2, a.c3)), z = unit(a.c3), y = cross(z, x);
+    for (float u : {0.1f, 0.5f, 0.9f}) {
+      // The disk's t1 is along y and its t2 along -x: Vh is z, T1 its azimuth turned by a quarter.
+      Directions wm(1);
+      sample_normals(Warp::polar, 1, {0, 0, 1}, shape, {u, 0}, wm.out());
+      Vec3<double> nh = std::sqrt(double(u)) * y + std::sqrt(1 - double(u)) * z;
+      EXPECT_LE(distance(wm.at(0), unit(transposed_times(a, nh))), 40 * kEps) << theta_z << " " << u;
+    }
+  }
 }
 
 }  // namespace

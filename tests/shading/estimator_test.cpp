@@ -35,6 +35,12 @@ Estimate estimate(std::size_t count, Value value) {
   return {sum / n, squares / n - sum / n * (sum / n), rejected / n};
 }
 
+/// Rejected samples in percent, all visible normals and bounded, at cos = 0.95.
+constexpr struct {
+  float alpha_x, alpha_y;
+  double rejected[2];
+} kStatedByTheHeader[] = {{1, 1, {49, 0}}, {0.6f, 0.6f, {26, 4}}, {0.2f, 0.8f, {23, 21}}};
+
 // For every surface and view: the estimator's mean is the integral; the variance of its weight is below that of
 // sampling the normals whatever the view (Walter et al. 2007, eq. 35-36 and 41), and so is that of the light but for
 // the luck of where the lamp is; bounded, it is below the plain one's where that rejects.
@@ -93,6 +99,11 @@ TEST(Estimator, AgreesWithIntegrationAndHasTheLeastVariance) {
       EXPECT_LT(weights[0].variance, ndf_weights.variance);
       EXPECT_LT(ours[0].variance, 1.1 * ndf_samples.variance);
       EXPECT_LE(ours[1].rejected, ours[0].rejected + 1e-3);
+      for (const auto& stated : kStatedByTheHeader)
+        for (int bounded : {0, 1}) {
+          if (cos != 0.95f || alpha.x != stated.alpha_x || alpha.y != stated.alpha_y) continue;
+          EXPECT_NEAR(100 * ours[bounded].rejected, stated.rejected[bounded], 0.5);
+        }
       if (ours[0].rejected > 0.05 && ours[0].rejected - ours[1].rejected > 0.01) {
         EXPECT_LT(ours[1].variance, ours[0].variance);
       }

@@ -55,6 +55,11 @@ TEST(Beta, OfWholeNumbers) {
   EXPECT_NEAR(lanes::x_beta(2.f, 1.f), 3 * 1 / 12., 1e-6);  // B(3, 2)
 }
 
+TEST(Beta, IsNeverNothing) {
+  for (float a = 0x1p-10f; a <= 0x1p60f; a *= 2)
+    for (float b = 0x1p-10f; b <= 0x1p60f; b *= 2) ASSERT_GE(lanes::x_beta(a, b), 0x1p-118f) << a << " " << b;
+}
+
 /// Views and alpha as renderers have them, and eta.
 struct Scene {
   Directions wo{kCount};

@@ -43,8 +43,8 @@ const std::vector<Group> kThetas = {{0, 0, 0},
                                     {1e-3f, 1e-3f, -3.14159274f}};
 const Group kNumbers = {0, 0x1p-24f, 0.25f, 0.3f, 0.5f, 0.75f, 1 - 0x1p-24f, 1};
 const Group kEtas = {0.4f, 1 / 1.5f, 0.99999f, 1.00001f, 1.5f, 2.5f};
-const Group kMoreEtas = {1,      1 + 0x1p-16f, 1 - 0x1p-16f, 1 + 0x1p-15f, 1 - 0x1p-15f,
-                         1.001f, 1.0001f,      1 / 1.0001f,  0.1f,         10};
+const Group kMoreEtas = {1,       1 + 0x1p-16f, 1 - 0x1p-16f, 1 + 0x1p-15f, 1 - 0x1p-15f, 1.001f,
+                         1.0001f, 1 / 1.0001f,  0.1f,         10,           0.51f,        1 / 0.51f};
 const Group kHeights = {0x1p-149f, 1e-40f, 1e-38f, 1e-35f, 1e-31f, 1e-30f, 1e-20f, 1e-10f, -1e-35f, -1e-10f};
 
 template <class Values>
@@ -173,6 +173,11 @@ double length(const float* x, const float* y, const float* z, std::size_t i) {
   return std::hypot(double(x[i]), double(y[i]), double(z[i]));
 }
 
+/// Leaning by an angle next to this one.
+bool is_right(float theta) {
+  return std::fabs(std::fabs(theta) - kRight) < 0.01f;
+}
+
 bool in_range(Result result, float value) {
   switch (result) {
     case Result::density:
@@ -183,6 +188,8 @@ bool in_range(Result result, float value) {
       return value >= 0 && std::isfinite(value);
     case Result::side:
       return std::fabs(value) == 1;
+    case Result::share:
+      return value >= 0 && value <= 1 + 12 * kEps;
     default:
       return std::isfinite(value);
   }
@@ -208,8 +215,7 @@ Table edge_inputs(const Operation& operation, Roughness roughness, std::size_t c
     for (std::size_t c = 0; c < table.size(); ++c) {
       const Input& input = operation.inputs[c];
       if (input.index == 0) group = any_group(random, input.kind, view);
-      if (input.index == 0 && input.kind == Kind::alpha && roughness == Roughness::tiny)
-        group = tiny_alpha(random);
+      if (input.index == 0 && input.kind == Kind::alpha && roughness == Roughness::tiny) group = tiny_alpha(random);
       if (input.kind == Kind::view) view = group;
       table[c][i] = member(operation, c, group);
     }
@@ -245,6 +251,7 @@ void expect_sound(const Operation& operation, const Table& in, const Table& out,
   const float *pdf = of.output("pdf"), *weight = of.output("weight");
   const float *light_x = of.input("wi.x"), *light_y = of.input("wi.y"), *light_z = of.input("wi.z");
   const bool plain = operation.takes(Kind::alpha) && !operation.takes(Kind::theta);
+  const float *theta_x = of.input("theta.x"), *theta_y = of.input("theta.y");
   const bool bounded = operation.name.find("_bounded") != std::string::npos;
   const bool two_sided = operation.name.find("_two_sided") != std::string::npos;
   for (std::size_t i = 0; i < in[0].size(); ++i) {
@@ -262,6 +269,11 @@ void expect_sound(const Operation& operation, const Table& in, const Table& out,
       // Normals are those of any view, but for the bound; and of any alpha, but for 0 and ellipsoids.
       bool promised = of_normal ? roughness == Roughness::promised : nearly_unit;
       if (bounded || column.result == Result::cosine) promised &= nearly_unit;
+      // A leaning ellipsoid can have normals that turn away from the view, by rounding.
+      if (column.result == Result::share) promised &= plain || pdf[i] > 0;
+      // Below 1e-6 those of a disk that is seen from its edge are not.
+      if (roughness == Roughness::tiny && column.result == Result::cosine)
+        promised = nearly_unit && !(theta_x && (is_right(theta_x[i]) || is_right(theta_y[i])));
       ASSERT_TRUE(!promised || in_range(column.result, out[c][i])) << what(column.name.c_str());
     }
     if (!wo_x) continue;
@@ -280,11 +292,15 @@ void expect_sound(const Operation& operation, const Table& in, const Table& out,
       bool lower = (side && wo_z[i] < 0) || (two_sided && std::signbit(wo_z[i]));
       ASSERT_GE(lower ? -wm_z[i] : wm_z[i], 0) << what("wm.z");
     }
+    const double light = wi_x ? length(wi_x, wi_y, wi_z, i) : 1;
+    const bool as_sampled = std::fabs(view - 1) <= 8 * kEps;
+    // Refraction takes the cosine of the exact normal, from which rounding leads far where a sharp shape is seen along.
+    ASSERT_TRUE(!side || !as_sampled || std::fabs(light - 1) <= (plain ? 96 : 2048) * kEps) << what("|wi|");
     if (!above || !nearly_unit || view == 0) continue;
     if (wi_x && !side) {
       // 73 eps were seen below the surface, of an ellipsoid of alpha 1e-5 that leans by right angles both ways.
-      double bound = plain || pdf[i] > 0 ? 12 : 128;
-      ASSERT_LE(std::fabs(length(wi_x, wi_y, wi_z, i) / view - 1), bound * kEps) << what("|wi|");
+      double bound = plain || pdf[i] > 0 ? (as_sampled ? 16 : 24) : 128;
+      ASSERT_LE(std::fabs(light / view - 1), bound * kEps) << what("|wi|");
     }
     if (!unit) continue;
     ASSERT_TRUE(!wi_x || std::fabs(wi_z[i]) <= 1) << what("wi.z");
