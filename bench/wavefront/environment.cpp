@@ -13,42 +13,28 @@ std::size_t first_above(const float* sums, std::size_t count, float u) {
   return std::min(static_cast<std::size_t>(std::upper_bound(sums, sums + count, u) - sums), count - 1);
 }
 
-struct Texel {
-  int x, y;
-};
-Texel texel_of(const Environment& e, Vec2 square) {
-  auto clamp = [&](float a) { return std::max(0, std::min(static_cast<int>(a * e.size), e.size - 1)); };
-  return {clamp(square.x), clamp(square.y)};
-}
-const SkyTexel& at(const Environment& e, Texel t) {
-  return e.texels[static_cast<std::size_t>(t.y) * e.size + t.x];
+/// Turns a corner of the square, where the lower half of the octahedron lies, inside out: it is its own inverse.
+Vec2 folded(Vec2 p) {
+  return {(1.f - std::abs(p.y)) * sign(p.x), (1.f - std::abs(p.x)) * sign(p.y)};
 }
 
 }  // namespace
 
 Vec3 octahedral_direction(Vec2 square, float& stretch) {
-  float x = 2.f * square.x - 1.f, y = 2.f * square.y - 1.f;
-  float z = 1.f - std::abs(x) - std::abs(y);
-  if (z < 0.f) {
-    float folded = (1.f - std::abs(y)) * sign(x);
-    y = (1.f - std::abs(x)) * sign(y);
-    x = folded;
-  }
-  float inv = 1.f / std::sqrt(x * x + y * y + z * z);
+  Vec2 p{2.f * square.x - 1.f, 2.f * square.y - 1.f};
+  float z = 1.f - std::abs(p.x) - std::abs(p.y);
+  if (z < 0.f) p = folded(p);
+  float inv = 1.f / std::sqrt(p.x * p.x + p.y * p.y + z * z);
   stretch = inv * inv * inv;
-  return {x * inv, y * inv, z * inv};
+  return {p.x * inv, p.y * inv, z * inv};
 }
 
 Vec2 octahedral_square(Vec3 d, float& stretch) {
   float inv = 1.f / (std::abs(d.x) + std::abs(d.y) + std::abs(d.z));
-  float x = d.x * inv, y = d.y * inv;
+  Vec2 p{d.x * inv, d.y * inv};
   stretch = 1.f / (inv * inv * inv);  // |p| = inv for unit d
-  if (d.z < 0.f) {
-    float folded = (1.f - std::abs(y)) * sign(x);
-    y = (1.f - std::abs(x)) * sign(y);
-    x = folded;
-  }
-  return {0.5f * x + 0.5f, 0.5f * y + 0.5f};
+  if (d.z < 0.f) p = folded(p);
+  return {0.5f * p.x + 0.5f, 0.5f * p.y + 0.5f};
 }
 
 void prepare(Environment& e) {
@@ -94,7 +80,9 @@ Environment environment_of_latlong(const Texture& map) {
 Sky sky_at(const Environment& e, Vec3 direction) {
   if (e.size == 0) return {{0.f, 0.f, 0.f}, 0.f};
   float stretch;
-  const SkyTexel& texel = at(e, texel_of(e, octahedral_square(direction, stretch)));
+  Vec2 square = octahedral_square(direction, stretch);
+  auto index = [&](float a) { return std::max(0, std::min(static_cast<int>(a * e.size), e.size - 1)); };
+  const SkyTexel& texel = e.texels[static_cast<std::size_t>(index(square.y)) * e.size + index(square.x)];
   return {texel.radiance, texel.pdf / stretch};
 }
 
@@ -108,7 +96,7 @@ LightSample sample_sky(const Environment& e, Vec2 u) {
     return std::max(0.f, std::min((v - from) / (sums[i] - from), 0.9999f));
   };
   Vec2 square{(x + within(row, x, u.x)) / e.size, (y + within(e.rows.data(), y, u.y)) / e.size};
-  const SkyTexel& texel = at(e, {static_cast<int>(x), static_cast<int>(y)});
+  const SkyTexel& texel = e.texels[y * e.size + x];
   float stretch;
   Vec3 wi = octahedral_direction(square, stretch);
   return {wi, std::numeric_limits<float>::infinity(), texel.radiance, texel.pdf / stretch};
