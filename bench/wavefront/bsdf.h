@@ -14,7 +14,7 @@ struct Sampling {
   vndf::Warp warp = vndf::Warp::concentric;
 };
 
-/// Columns of a batch, in the local shading frame. Views are above the surface, but for glass.
+/// Columns of a batch, in the local shading frame. Views from below are within glass, and mirrored for all else.
 struct Batch {
   std::uint32_t count = 0;
   Columns3 wo{kBatch}, u{kBatch};

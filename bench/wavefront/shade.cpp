@@ -24,8 +24,7 @@ Vec3 towards(Vec3 normal, Vec3 wo, float side) {
   return cos < kGrazing ? normalize(normal + (side * (kGrazing - cos)) * wo) : normal;
 }
 
-void gather(const Scene& scene, const Settings& settings, Kind kind, std::uint32_t first, std::uint32_t last,
-            Worker& w) {
+void gather(const Scene& scene, const Settings& settings, std::uint32_t first, std::uint32_t last, Worker& w) {
   Paths& paths = w.paths;
   Batch& b = w.batch;
   Vertices& v = w.vertices;
@@ -44,10 +43,6 @@ void gather(const Scene& scene, const Settings& settings, Kind kind, std::uint32
     }
     float side = dot(s.normal, wo) < 0.f ? -1.f : 1.f;
     if (m.normal_map >= 0) s.shading_normal = mapped_normal(scene.textures[m.normal_map], s);
-    if (kind != Kind::dielectric && side < 0.f) {  // two-sided
-      s.normal = -1.f * s.normal, s.shading_normal = -1.f * s.shading_normal;
-      side = 1.f;
-    }
     v.path[i] = p;
     v.material[i] = &m;
     v.position[i] = s.position;
@@ -101,8 +96,13 @@ void sample_cosines(Batch& b, Vertices& v, Wanted wanted) {
   for (std::uint32_t i = 0; i < b.count; ++i) {
     if (!wanted(i)) continue;
     float x = v.disk_x[i], y = v.disk_y[i];
-    b.wi.set(i, {x, y, std::sqrt(std::max(0.f, 1.f - x * x - y * y))});
+    b.wi.set(i, {x, y, std::copysign(std::sqrt(std::max(0.f, 1.f - x * x - y * y)), b.wo.z[i])});
   }
+}
+
+/// Of a direction, over the side of the surface that is seen.
+float height(const Batch& b, std::uint32_t i, float z) {
+  return b.wo.z[i] < 0.f ? -z : z;
 }
 
 /// What light from one direction counts, and the density that the BSDF finds it with.
@@ -114,11 +114,11 @@ struct Response {
 /// Plastic: the coat, and of what it lets in and out the body.
 Vec3 body_of_plastic(const Batch& b, const Vertices& v, std::uint32_t i, float wi_z) {
   float in = 1.f - dielectric_fresnel(std::max(0.f, wi_z), b.eta[i]);
-  float out = 1.f - dielectric_fresnel(b.wo.z[i], b.eta[i]);
+  float out = 1.f - dielectric_fresnel(std::abs(b.wo.z[i]), b.eta[i]);
   return (in * out * wi_z / kPi) * v.color[i];
 }
 float chance_of_coat(const Batch& b, std::uint32_t i) {
-  return 0.2f + 0.8f * dielectric_fresnel(b.wo.z[i], b.eta[i]);
+  return 0.2f + 0.8f * dielectric_fresnel(std::abs(b.wo.z[i]), b.eta[i]);
 }
 Response plastic(const Batch& b, const Vertices& v, std::uint32_t i, float wi_z, float cosine, float f_cos, float pdf) {
   if (!(wi_z > 0.f)) return {{0.f, 0.f, 0.f}, 0.f};
@@ -130,10 +130,10 @@ Response light_response(Kind kind, const Batch& b, const Vertices& v, std::uint3
   float z = b.light.z[i], f_cos = b.light_f_cos[i], pdf = b.light_pdf[i];
   switch (kind) {
     case Kind::diffuse:
-      z = std::max(0.f, z) / kPi;
+      z = std::max(0.f, height(b, i, z)) / kPi;
       return {z * v.color[i], z};
     case Kind::plastic:
-      return plastic(b, v, i, z, b.light_cosine[i], f_cos, pdf);
+      return plastic(b, v, i, height(b, i, z), b.light_cosine[i], f_cos, pdf);
     case Kind::dielectric: {
       bool crosses = (z < 0.f) != (b.wo.z[i] < 0.f);
       return {f_cos * (crosses ? v.color[i] : Vec3{1.f, 1.f, 1.f}), pdf};
@@ -147,10 +147,10 @@ Response light_response(Kind kind, const Batch& b, const Vertices& v, std::uint3
 Vec3 sample_weight(Kind kind, Batch& b, const Vertices& v, std::uint32_t i) {
   switch (kind) {
     case Kind::diffuse:
-      b.pdf[i] = b.wi.z[i] / kPi;
+      b.pdf[i] = std::abs(b.wi.z[i]) / kPi;
       return v.color[i];
     case Kind::plastic: {
-      Response r = plastic(b, v, i, b.wi.z[i], b.cosine[i], b.weight[i], b.pdf[i]);
+      Response r = plastic(b, v, i, height(b, i, b.wi.z[i]), b.cosine[i], b.weight[i], b.pdf[i]);
       b.pdf[i] = r.pdf;
       return r.pdf > 0.f ? (1.f / r.pdf) * r.f_cos : Vec3{0.f, 0.f, 0.f};
     }
@@ -219,7 +219,7 @@ void scatter_paths(const Scene& scene, Kind kind, Worker& w) {
 void shade(const Scene& scene, const Settings& settings, const Bin& bin, std::uint32_t first, std::uint32_t last,
            Worker& w) {
   Batch& b = w.batch;
-  gather(scene, settings, bin.kind, first, last, w);
+  gather(scene, settings, first, last, w);
   w.statistics.vertices += last - first;
   w.clock.lap(w.statistics, Stage::gather);
   sample_lights(scene, settings, w);

@@ -73,13 +73,14 @@ void metal(Kind kind, Batch& b, std::uint32_t i) {
   Alpha alpha{b.alpha_x[i], b.alpha_y[i]};
   float c = 1.f, s = 0.f;
   if (kind == Kind::brushed) c = std::cos(b.theta_z[i]), s = std::sin(b.theta_z[i]);
-  auto turned = [&](Vec3 v) { return Vec3{c * v.x - s * v.y, s * v.x + c * v.y, v.z}; };
+  float up = b.wo.z[i] < 0.f ? -1.f : 1.f;  // two-sided
+  auto turned = [&](Vec3 v) { return Vec3{c * v.x - s * v.y, s * v.x + c * v.y, up * v.z}; };
   Vec3 wo = turned(b.wo.get(i)), wm = sample_normal(wo, alpha, b.u.x[i], b.u.y[i]);
   b.cosine[i] = dot(wo, wm);
   Vec3 wi = 2.f * b.cosine[i] * wm - wo;
   Value v = reflected(wo, wi, alpha);
   b.pdf[i] = v.pdf, b.weight[i] = v.pdf > 0.f ? v.f_cos / v.pdf : 0.f;
-  b.wi.set(i, {c * wi.x + s * wi.y, c * wi.y - s * wi.x, wi.z});
+  b.wi.set(i, {c * wi.x + s * wi.y, c * wi.y - s * wi.x, up * wi.z});
   v = reflected(wo, turned(b.light.get(i)), alpha);
   b.light_f_cos[i] = v.f_cos, b.light_pdf[i] = v.pdf;
 }
@@ -115,9 +116,12 @@ void shade_batch(Kind kind, const vndf::Ellipsoid& shape, const Sampling& sampli
 
 void evaluate_batch(const Sampling&, Batch& b) {
   for (std::uint32_t i = 0; i < b.count; ++i) {
-    Value v = reflected(b.wo.get(i), b.wi.get(i), {b.alpha_x[i], b.alpha_y[i]});
+    float up = b.wo.z[i] < 0.f ? -1.f : 1.f;
+    Vec3 wo = b.wo.get(i), wi = b.wi.get(i);
+    wo.z *= up, wi.z *= up;
+    Value v = reflected(wo, wi, {b.alpha_x[i], b.alpha_y[i]});
     b.weight[i] = v.f_cos, b.pdf[i] = v.pdf;
-    b.cosine[i] = std::min(1.f, 0.5f * length(b.wo.get(i) + b.wi.get(i)));
+    b.cosine[i] = std::min(1.f, 0.5f * length(wo + wi));
   }
 }
 

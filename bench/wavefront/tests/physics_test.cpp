@@ -172,6 +172,31 @@ TEST(Furnace, GlassCondensesRadiance) {
   }
 }
 
+/// All there is, turned upside down, looks the same: sheets have two sides, and a brush's strokes lie where they lie.
+TEST(TwoSided, FromBelowAsFromAbove) {
+  for (Kind kind : {Kind::diffuse, Kind::plastic, Kind::conductor, Kind::brushed})
+    for (Sampler sampler : {Sampler::vndf, Sampler::bounded, Sampler::ndf}) {
+      double means[2];
+      Task task = task_of(64);
+      task.settings.sampling.sampler = sampler;
+      for (float up : {1.f, -1.f}) {
+        Material sheet = white_metal(0.6f, 0.1f), light;
+        sheet.kind = kind;
+        sheet.theta_z = 0.6f;
+        light.emission = {2.f, 2.f, 2.f};
+        Scene scene;
+        add_plane(scene, sheet);
+        add_sphere(scene, {{1.f, up * 3.f, 2.f}, 1.f}, light);
+        look(scene, 0.7f);
+        scene.camera.from.y *= up;
+        scene.finish("");
+        means[up < 0.f] = estimate(picture(scene, task)).mean;
+      }
+      EXPECT_GT(means[0], 0.01);
+      EXPECT_NEAR(means[0], means[1], 0.03 * means[0]) << "kind " << int(kind) << ", sampler " << int(sampler);
+    }
+}
+
 TEST(Direct, SphereLightOnAPlane) {
   Scene scene;
   Material white, light;
