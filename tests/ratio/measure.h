@@ -1,7 +1,8 @@
-// The ratios of a function over a row, printed and held against bounds; and a search for worse inputs.
+// The ratios of a function over a row, printed and held against bounds.
 //
 // A subject is a function of the library. It has
-//   kInputs, kResults
+//   kInputs, kResults; kDirections, the unit vectors that its inputs begin with
+//   kViews, the rows that it takes; static Table inputs(const HardCase&, std::size_t count)
 //   static const std::array<Bound, kResults> bounds
 //   static std::array<Moves, kInputs> moves(): how its inputs move
 //   static std::vector<Founds> run(const Table&): what the library gives
@@ -57,55 +58,9 @@ auto ratios_of(const std::array<float, Subject::kInputs>& in, const typename Sub
       in, Subject::moves(), found, [&](const auto& at) { return Subject::exact(at, found); });
 }
 
-/// Changes one input: a bit of it, to its neighbour, or by a factor.
-template <std::size_t inputs>
-std::array<float, inputs> mutated(reference::Random& random, std::array<float, inputs> in) {
-  float& value = in[random.below(inputs)];
-  switch (random.below(4)) {
-    case 0: {
-      std::uint32_t bits;
-      std::memcpy(&bits, &value, sizeof bits);
-      bits ^= 1u << random.below(26);
-      std::memcpy(&value, &bits, sizeof bits);
-      break;
-    }
-    case 1:
-      value = std::nextafter(value, random.below(2) ? INFINITY : -INFINITY);
-      break;
-    case 2:
-      value *= float(1 + random.uniform(-1, 1) * random.log_uniform(1e-7, 0.5));
-      break;
-    default:
-      value = random.below(2) ? 1 - value : float(value * random.log_uniform(1e-3, 1e3));
-  }
-  return in;
-}
-
-/// Climbs from `in` to inputs with a larger ratio of one result; returns the ratio, and where it is.
+/// One line of ratios, and its bounds.
 template <class Subject>
-double climb(std::array<float, Subject::kInputs>& in, std::size_t result, std::size_t steps) {
-  auto ratio_at = [&](const std::array<float, Subject::kInputs>& at) {
-    Table columns;
-    for (float value : at) columns.push_back({value});
-    return ratios_of<Subject>(at, Subject::run(columns)[0])[result];
-  };
-  double best = ratio_at(in);
-  reference::Random random(seed(), result);
-  for (std::size_t step = 0; step < steps; ++step) {
-    auto next = mutated(random, in);
-    for (std::uint32_t more = random.below(3); more; --more) next = mutated(random, next);
-    if (!Subject::in_domain(next)) continue;
-    double ratio = ratio_at(next);
-    if (ratio < best) continue;
-    best = ratio;
-    in = next;
-  }
-  return best;
-}
-
-/// One line of ratios, and its bounds. VNDF_CLIMB, a number of steps, searches on from the worst sample.
-template <class Subject>
-void measure(const std::string& row, const Table& in) {
+void measure_table(const std::string& row, const Table& in) {
   const std::vector<typename Subject::Founds> found = Subject::run(in);
   std::array<Ratios, Subject::kResults> ratios;
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -126,12 +81,12 @@ void measure(const std::string& row, const Table& in) {
     auto worst = inputs_at<Subject::kInputs>(in, ratios[r].worst());
     EXPECT_LE(ratios[r].max(), bound.max) << bound.what << " at " << describe(worst);
     EXPECT_LE(ratios[r].p999(), bound.p999) << bound.what;
-    if (std::size_t steps = setting("VNDF_CLIMB", 0)) {
-      double ratio = climb<Subject>(worst, r, steps);
-      std::printf("  %s climbs to %.2f at %s\n", bound.what, ratio, describe(worst).c_str());
-      EXPECT_LE(ratio, bound.max) << bound.what << " at " << describe(worst);
-    }
   }
+}
+
+template <class Subject, class... More>
+void measure(const std::string& name, const HardCase& row, std::size_t count, const More&... more) {
+  measure_table<Subject>(name, Subject::inputs(row, count, more...));
 }
 
 // Parts of subjects.

@@ -1,60 +1,9 @@
 // The ratio (reference/ratio.h) of sample_reflection: plain GGX, bounded or not, and ellipsoids. Of each sample the
 // direction, the density, the weight with either masking, the normal and its cosine.
-#include "ratio/measure.h"
-#include "ratio/surfaces.h"
+#include "ratio/reflection.h"
 
 namespace vndf::ratio {
 namespace {
-
-template <class Surface, Warp warp, bool bounded>
-struct Reflection {
-  static constexpr std::size_t kSurface = Surface::kInputs, kU = 3 + kSurface, kInputs = kU + 2, kResults = 6;
-  using Founds = std::array<Found, kResults>;
-  static constexpr bool kDisk = !bounded && warp != Warp::spherical_cap;
-  static constexpr double kNormal = Surface::kByLunes ? 16 : kDisk ? 6 : 8;
-  static constexpr std::array<Bound, kResults> bounds = {{{"wi", 16, 16},
-                                                          {"pdf", 16, 16},
-                                                          {"weight", 16, 16},
-                                                          {"separable weight", 16, 16},
-                                                          {"wm", kNormal, kNormal},
-                                                          {"cos", Surface::kByLunes ? 20 : 16, 16}}};
-
-  static auto moves() { return moves_of<kInputs>(kU); }
-  static bool in_domain(const std::array<float, kInputs>& in) {
-    return is_nearly_unit(in.data()) && has_azimuth(in.data()) && (Surface::kByLunes || in[2] >= 0) &&
-           is_surface<Surface>(&in[3]) && in_unit_interval(in, kU) &&
-           !(Surface::kByLunes && warp == Warp::spherical_cap && in[kU + 1] == 1);
-  }
-
-  static std::vector<Founds> run(const Table& in) {
-    std::string name =
-        std::string("reflection") + Surface::kName + "_" + kWarpNames[int(warp)] + (bounded ? "_bounded" : "");
-    Results of(name, in), separable(Surface::kByLunes ? name : name + "_separable", in);
-    std::vector<Founds> found;
-    for (std::size_t i = 0; i < of.size(); ++i) {
-      auto wi = of.vector("wi", i);
-      bool above = in[2][i] >= 0, reflects = wi[2] > 0;
-      // Where the sign of wi.z decides, the density jumps.
-      float pdf = above && reflects && of("pdf", i) == 0 ? NAN : of("pdf", i);
-      found.push_back({Found{wi, above}, Found{{pdf}, above && reflects}, Found{{of("weight", i)}, above && reflects},
-                       Found{{separable("weight", i)}, above && reflects && !Surface::kByLunes},
-                       Found{of.vector("wm", i)}, Found{{of("wo_dot_wm", i)}}});
-    }
-    return found;
-  }
-
-  static std::array<Exact, kResults> exact(const std::array<Quad, kInputs>& in, const Founds& found) {
-    exact::Sample s =
-        exact::sample_reflection(warp, bounded, {in[0], in[1], in[2]}, Surface::exact(&in[3]), in[kU], in[kU + 1]);
-    bool defined = s.normal.defined, above = defined && s.wi.z > 0;
-    return {reference::exact_vector(at_most_one(found[0].value, s.wi), defined),
-            reference::exact_number(s.pdf, defined),
-            exact_with(s.slack.correlated, s.weight.correlated, above),
-            exact_with(s.slack.separable, s.weight.separable, above),
-            reference::exact_vector(s.normal.wm, defined),
-            reference::exact_cosine(at_most_one(found[5].value[0], s.normal.cos), defined)};
-  }
-};
 
 using Case = std::tuple<int, HardCase>;
 std::string name_of(const ::testing::TestParamInfo<Case>& info) {
@@ -62,13 +11,13 @@ std::string name_of(const ::testing::TestParamInfo<Case>& info) {
 }
 
 template <class Surface, bool bounded>
-void measure_case(const char* what, const Case& of, Views views) {
+void measure_case(const char* what, const Case& of) {
   auto [w, row] = of;
   std::string name = std::string(what) + " " + kWarpNames[w] + " " + row.name;
-  Table in = sampling_inputs<Surface>(row, kWarps[w], views, sample_count(Surface::kByLunes ? 10 : 11));
-  if (w == 0) measure<Reflection<Surface, Warp::polar, bounded>>(name, in);
-  if (w == 1) measure<Reflection<Surface, Warp::concentric, bounded>>(name, in);
-  if (w == 2) measure<Reflection<Surface, Warp::spherical_cap, bounded>>(name, in);
+  const std::size_t count = sample_count(Surface::kByLunes ? 10 : 11);
+  if (w == 0) measure<Reflection<Surface, Warp::polar, bounded>>(name, row, count);
+  if (w == 1) measure<Reflection<Surface, Warp::concentric, bounded>>(name, row, count);
+  if (w == 2) measure<Reflection<Surface, Warp::spherical_cap, bounded>>(name, row, count);
 }
 
 class Ggx : public ::testing::TestWithParam<Case> {};
@@ -76,20 +25,20 @@ INSTANTIATE_TEST_SUITE_P(, Ggx,
                          ::testing::Combine(::testing::Range(0, 3), ::testing::ValuesIn(rows(Views::unit_above))),
                          name_of);
 TEST_P(Ggx, Reflection) {
-  measure_case<Plain, false>("reflection", GetParam(), Views::unit_above);
+  measure_case<Plain, false>("reflection", GetParam());
 }
 TEST_P(Ggx, Bounded) {
-  measure_case<Plain, true>("bounded reflection", GetParam(), Views::unit_above);
+  measure_case<Plain, true>("bounded reflection", GetParam());
 }
 
 class OfEllipsoid : public ::testing::TestWithParam<Case> {};
 INSTANTIATE_TEST_SUITE_P(, OfEllipsoid,
                          ::testing::Combine(::testing::Range(0, 3), ::testing::ValuesIn(rows(Views::unit))), name_of);
 TEST_P(OfEllipsoid, Turned) {
-  measure_case<Turned, false>("turned reflection", GetParam(), Views::unit);
+  measure_case<Turned, false>("turned reflection", GetParam());
 }
 TEST_P(OfEllipsoid, Tilted) {
-  measure_case<Tilted, false>("tilted reflection", GetParam(), Views::unit);
+  measure_case<Tilted, false>("tilted reflection", GetParam());
 }
 
 }  // namespace

@@ -58,8 +58,10 @@ inline std::size_t setting(const char* name, std::size_t otherwise) {
 inline std::size_t sample_count(std::size_t otherwise) {
   return std::size_t(1) << setting("VNDF_SAMPLES", otherwise);
 }
-inline std::uint64_t seed() {
-  return setting("VNDF_SEED", 13);
+/// Of all that is drawn: VNDF_SEED, or what a search sets.
+inline std::uint64_t& seed() {
+  static std::uint64_t value = setting("VNDF_SEED", 13);
+  return value;
 }
 
 using testing::kWarpNames;

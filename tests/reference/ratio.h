@@ -35,7 +35,9 @@ inline Exact exact_vector(const exact::Vec& value, bool compared = true) {
   return {value, length(value), compared};
 }
 inline Exact exact_number(Quad value, bool compared = true) {
-  return {{value, 0, 0}, value < 0 ? -value : value, compared};
+  constexpr Quad kSubnormal = 0x1p-125;  // whose half units are all the same
+  Quad size = value < 0 ? -value : value;
+  return {{value, 0, 0}, size > kSubnormal ? size : kSubnormal, compared};
 }
 /// A cosine is as good as the directions that it is between.
 inline Exact exact_cosine(Quad value, bool compared = true) {

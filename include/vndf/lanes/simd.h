@@ -223,7 +223,7 @@ VNDF_INLINE Doubles<Arch> sqrt(const Doubles<Arch>& a) {
 
 /// Exact.
 VNDF_INLINE double widen(float a) {
-  return a;
+  return static_cast<double>(a);
 }
 /// Rounded to nearest.
 VNDF_INLINE float narrow(double a) {
@@ -252,7 +252,7 @@ VNDF_INLINE Doubles<Arch> widen(Batch<Arch> a) {
   alignas(64) float from[kLanes];
   alignas(64) double to[kLanes];
   a.store_aligned(from);
-  for (std::size_t i = 0; i < kLanes; ++i) to[i] = from[i];
+  for (std::size_t i = 0; i < kLanes; ++i) to[i] = static_cast<double>(from[i]);
   using D = xsimd::batch<double, Arch>;
   return {D::load_aligned(to), D::load_aligned(to + kLanes / 2)};
 }
