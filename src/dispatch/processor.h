@@ -3,12 +3,13 @@
 
 #if defined(_MSC_VER)
 
-#include <cstring>
 #include <intrin.h>
+#include <cstring>
 
 namespace vndf {
 
-/// In place of __builtin_cpu_supports: Microsoft's compiler has none, and that of clang-cl needs LLVM's run-time library.
+/// In place of __builtin_cpu_supports: Microsoft's compiler has none, and that of clang-cl needs LLVM's run-time
+/// library.
 inline bool processor_has(const char* feature) noexcept {
   int highest[4], first[4], seventh[4] = {};
   __cpuid(highest, 0);

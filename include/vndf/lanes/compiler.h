@@ -8,8 +8,8 @@
 
 #if defined(_MSC_VER) && !defined(__clang__)
 
-#include <cmath>
 #include <intrin.h>
+#include <cmath>
 
 #define VNDF_INLINE __forceinline
 #define VNDF_NOINLINE __declspec(noinline)
