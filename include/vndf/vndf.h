@@ -267,8 +267,9 @@ struct DielectricSamples {
 /// Domain   alpha from 1e-6 to 100, eta from 0.1 to 10.
 /// Error    ratio at most 16 for wi, pdf and weight, where |eta - 1| >= 1e-4 and |wo| is within 8 eps of 1; |wi| is
 ///          then within 96 eps of 1. For |wo| off by up to 1e-3 the ratio holds for reflected wi and the weight alone.
-///          pdf may be 2^-62 off besides, and wi.z 2^-42 for the weight. Height-correlated masking across is within 30
-///          eps (1 - ln G2 / G1), relatively, and at least 2^-118.
+///          pdf may be 2^-62 off besides, and wi.z 2^-42 for the weight. Where the probability was given, this is for
+///          wo.wm from 2^-20 and pdf up to 2^50. Height-correlated masking across may be off by another 30 eps (1 - ln
+///          w) of w = G2 / G1, for |wo.z| and |wi.z| from 1e-6, and is at least 2^-118.
 /// Special  |eta - 1| < 2^-16 (seen from below, |1 / eta - 1|) counts as index-matched: wi = -wo, side -1, weight 1 and
 ///          pdf 2^60, or both 0 for a horizontal view. eta 0, negative, NaN or not between 2^-20 and 2^20: pdf and
 ///          weight 0. wo = 0: the same.
@@ -284,8 +285,8 @@ void sample_dielectric(Warp warp, std::size_t count, const Columns3& wo, const C
 ///                     the weight of sample_dielectric does: f / eta^2 of the side of wi is symmetric.
 /// pdf                 density of wi given wo, under the same options as sample_dielectric.
 ///
-/// Error    ratio at most 8. Fresnel's transmittance is that of both cosines: f / eta^2 is symmetric to 1e-5 relative
-///          where neither cosine to the normal is under 0.01.
+/// Error    ratio at most 8, with what sample_dielectric says of options. Fresnel's transmittance is that of both
+///          cosines: f / eta^2 is symmetric to 1e-5 relative where neither cosine to the normal is under 0.01.
 /// Special  f_cos and pdf are 0 where the normal that would take wo to wi is not one of the upper hemisphere, by more
 ///          than rounding, and where indices are matched or impossible. So a pair that was sampled with pdf > 0 has a
 ///          pdf > 0 here too, the same but for the rounding of wi, unless it is index-matched.

@@ -189,11 +189,19 @@ Masked weight(const Seen& from, const Vec& wo, const Vec& wi, const Surface& sur
   Quad at_wi = lambda(wi, surface);
   return {sign * smaller(1, from.kept * half / (half + wo.z * at_wi)), sign * smaller(1, from.kept / (1 + at_wi))};
 }
-/// Across the surface G1(wi), Walter et al. 2007, eq. 23; or Walter et al. 2015, eq. 7.
-Masked dielectric_weight(bool reflects, const Seen& from, const Vec& wo, const Vec& wi, const Surface& surface) {
+/// Across the surface G1(wi), Walter et al. 2007, eq. 23, or Walter et al. 2015, eq. 7; or what reflection has; or
+/// Heitz et al. 2016. Radiance has the square of the index, which is eta from the side of the view.
+Masked dielectric_weight(bool reflects, const Seen& from, const Vec& wo, const Vec& wi, const Surface& surface,
+                         Quad eta, const Lobes& lobes) {
   if (reflects) return weight(from, wo, wi, surface);
   Masked w = weight(from, wo, mirrored(true, wi), surface);
-  return {w.separable, w.separable};
+  Quad across = lobes.across == AcrossMasking::as_reflection ? w.correlated : w.separable;
+  if (lobes.across == AcrossMasking::height_correlated) {
+    Quad x = 1 + lambda(wo, surface), y = 1 + lambda(wi, surface);
+    across = wi.z < 0 ? x * reference::beta(x, y) : -x * reference::beta(x, y);
+  }
+  if (lobes.radiance) across /= eta * eta;
+  return {across, across};
 }
 /// Heitz 2018, eq. 3 and 17.
 Quad normal_pdf(Quad ndf, Quad cos, const Seen& from) {
@@ -279,7 +287,7 @@ Sample sample_reflection(Warp warp, bool bounded, const Vec& wo, const Surface& 
 }
 
 Sample sample_dielectric(Warp warp, bool reflects, const Vec& view, const Surface& surface, Quad index, Quad u1,
-                         Quad u2) {
+                         Quad u2, const Lobes& lobes) {
   bool below = view.z < 0;
   Vec wo = mirrored(below, view);
   Quad eta = below ? 1 / index : index;
@@ -291,9 +299,15 @@ Sample sample_dielectric(Warp warp, bool reflects, const Vec& view, const Surfac
   // Walter et al. 2007, eq. 39 and 40.
   Vec wi = reflects ? 2 * cos * wm + Quad(-1) * wo : (cos / eta - cos_t) * wm + (-1 / eta) * wo;
   Fresnel share = fresnel(cos, cos_t, eta);
-  Quad pdf = reflects ? share.reflected * reflection_pdf(facet.ndf, from)
-                      : share.transmitted * normal_pdf(facet.ndf, cos, from) * refraction_jacobian(cos, -cos_t, eta);
-  auto weight_of = [&](const Vec& light) { return dielectric_weight(reflects, from, wo, light, surface); };
+  Quad by_fresnel = reflects ? share.reflected : share.transmitted;
+  Quad chosen = !lobes.given ? by_fresnel : reflects ? lobes.reflection : 1 - lobes.reflection;
+  Quad pdf = chosen * (reflects ? reflection_pdf(facet.ndf, from)
+                                : normal_pdf(facet.ndf, cos, from) * refraction_jacobian(cos, -cos_t, eta));
+  auto weight_of = [&](const Vec& light) {
+    Masked w = dielectric_weight(reflects, from, wo, light, surface, eta, lobes);
+    if (!lobes.given || chosen == 0) return w;
+    return Masked{w.correlated * by_fresnel / chosen, w.separable * by_fresnel / chosen};
+  };
   Masked w = weight_of(wi);
   return {facet.normal, mirrored(below, wi), capped(pdf), w,
           slack(weight_of, wi, (reflects ? 1 : -1) * (surface.by_lunes ? kHalfAUnit : kNextToHorizontal), w)};
@@ -304,7 +318,8 @@ Evaluation evaluate_reflection(bool bounded, const Vec& wo, const Vec& wi, const
   return evaluation(reflection_pdf(ndf(wo + wi, surface), from), weight(from, wo, wi, surface));
 }
 
-Evaluation evaluate_dielectric(const Vec& view, const Vec& light, const Surface& surface, Quad index) {
+Evaluation evaluate_dielectric(const Vec& view, const Vec& light, const Surface& surface, Quad index,
+                               const Lobes& lobes) {
   bool below = view.z < 0;
   Vec wo = mirrored(below, view), wi = mirrored(below, light);
   Quad eta = below ? 1 / index : index;
@@ -312,14 +327,17 @@ Evaluation evaluate_dielectric(const Vec& view, const Vec& light, const Surface&
   Vec h = wo + (reflects ? Quad(1) : eta) * wi;
   Vec m = unit(mirrored(h.z < 0, h));
   Seen from = seen(false, wo, surface);
-  Quad cos_o = dot(wo, m), cos_i = dot(wi, m), pdf = 0;
+  Quad cos_o = dot(wo, m), cos_i = dot(wi, m), share = 0, pdf = 0;
   if (reflects) {
-    pdf = fresnel(cos_o, refracted_cos(cos_o, eta), eta).reflected * reflection_pdf(ndf(m, surface), from);
+    share = fresnel(cos_o, refracted_cos(cos_o, eta), eta).reflected;
+    pdf = reflection_pdf(ndf(m, surface), from);
   } else if (cos_o > 0 && cos_i < 0) {
-    pdf = fresnel(cos_o, -cos_i, eta).transmitted * normal_pdf(ndf(m, surface), cos_o, from) *
-          refraction_jacobian(cos_o, cos_i, eta);
+    share = fresnel(cos_o, -cos_i, eta).transmitted;
+    pdf = normal_pdf(ndf(m, surface), cos_o, from) * refraction_jacobian(cos_o, cos_i, eta);
   }
-  return evaluation(pdf, dielectric_weight(reflects, from, wo, wi, surface));
+  Evaluation value = evaluation(share * pdf, dielectric_weight(reflects, from, wo, wi, surface, eta, lobes));
+  if (lobes.given) value.pdf = capped((reflects ? lobes.reflection : 1 - lobes.reflection) * pdf);
+  return value;
 }
 
 Quad pdf_normals(const Vec& wo, const Vec& wm, const Surface& surface) {

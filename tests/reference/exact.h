@@ -54,8 +54,15 @@ struct Sample {
   Masked weight, slack;
 };
 Sample sample_reflection(Warp warp, bool bounded, const Vec& wo, const Surface& surface, Quad u1, Quad u2);
+/// What may be asked of a dielectric. Without a probability of reflection, that is Fresnel's share.
+struct Lobes {
+  AcrossMasking across = AcrossMasking::separable;
+  bool radiance = false, given = false;
+  Quad reflection = 0;
+};
 /// For the side that was chosen: what is left is continuous. Refraction, and the share of it, are for unit wo.
-Sample sample_dielectric(Warp warp, bool reflects, const Vec& wo, const Surface& surface, Quad eta, Quad u1, Quad u2);
+Sample sample_dielectric(Warp warp, bool reflects, const Vec& wo, const Surface& surface, Quad eta, Quad u1, Quad u2,
+                         const Lobes& lobes = {});
 
 struct Evaluation {
   Quad pdf;
@@ -65,7 +72,7 @@ struct Evaluation {
 Evaluation evaluate_reflection(bool bounded, const Vec& wo, const Vec& wi, const Surface& surface);
 /// Across the surface Fresnel's equations take the cosines of both directions, which are on either side of Snell's law
 /// by as much as they were rounded.
-Evaluation evaluate_dielectric(const Vec& wo, const Vec& wi, const Surface& surface, Quad eta);
+Evaluation evaluate_dielectric(const Vec& wo, const Vec& wi, const Surface& surface, Quad eta, const Lobes& lobes = {});
 /// For the direction of wm, but with the cosine of the wm that is given.
 Quad pdf_normals(const Vec& wo, const Vec& wm, const Surface& surface);
 

@@ -8,6 +8,8 @@
 extern "C" {
 __float128 sqrtq(__float128) noexcept;
 void sincosq(__float128, __float128*, __float128*) noexcept;
+__float128 expq(__float128) noexcept;
+__float128 lgammaq(__float128) noexcept;
 }
 #endif
 
@@ -22,6 +24,11 @@ void sin_cos(R x, R& sin, R& cos) {
   sin = std::sin(x);
   cos = std::cos(x);
 }
+/// Euler's function.
+template <class R>
+R beta(R x, R y) {
+  return std::exp(std::lgamma(x) + std::lgamma(y) - std::lgamma(x + y));
+}
 
 #if VNDF_FLOAT128
 using Quad = __float128;
@@ -30,6 +37,9 @@ inline Quad square_root(Quad x) {
 }
 inline void sin_cos(Quad x, Quad& sin, Quad& cos) {
   sincosq(x, &sin, &cos);
+}
+inline Quad beta(Quad x, Quad y) {
+  return expq(lgammaq(x) + lgammaq(y) - lgammaq(x + y));
 }
 #else
 using Quad = long double;

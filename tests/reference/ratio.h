@@ -62,7 +62,7 @@ std::array<double, results> ratios(const std::array<float, inputs>& in, const st
   for (std::size_t i = 0; i < inputs; ++i) at[i] = Quad(in[i]);
   const std::array<Exact, results> right = exact(at);
   std::array<double, results> ratio;
-  std::array<Quad, results> error, moved;
+  std::array<Quad, results> error{}, moved{};
   bool enough = true;
   for (std::size_t r = 0; r < results; ++r) {
     const auto& v = found[r].value;
