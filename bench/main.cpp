@@ -21,7 +21,7 @@
 #include "warps.h"
 
 // One line per instruction set of the library: VNDF_COPY(isa).
-using CopyFunction = void(std::size_t count, const float* const in[7], float* const out[3]);
+using CopyFunction = peers::Sample;
 #define VNDF_COPY(isa) CopyFunction copy_plain_##isa, copy_streaming_##isa;
 #include "copies.h"
 #undef VNDF_COPY
@@ -42,8 +42,11 @@ struct Data {
   const char* input;
   std::size_t count;
 };
-constexpr Data kData[] = {{"camera", 16},    {"camera", 64},       {"camera", 256},           {"camera", 1024},
-                          {"camera", 4096},  {"camera", 32768},    {"camera", 262144},        {"camera", 4194304},
+constexpr Data kData[] = {{"camera", 1},     {"camera", 2},        {"camera", 4},
+                          {"camera", 8},     {"camera", 12},       {"camera", 16},
+                          {"camera", 24},    {"camera", 32},       {"camera", 64},
+                          {"camera", 256},   {"camera", 1024},     {"camera", 4096},
+                          {"camera", 32768}, {"camera", 262144},   {"camera", 4194304},
                           {"uniform", 4096}, {"uniform", 4194304}, {"camera_unaligned", 4096}};
 
 /// Batches live as long as the program: benchmarks may be repeated and interleaved.
@@ -182,7 +185,8 @@ std::vector<Operation> operations() {
   };
   for (const peers::Peer& peer : peers::peers())
     if (peer.supported)
-      all.push_back({std::string(peer.name) + "/" + peer.warp + "/" + peer.isa, nullptr, 10, columns(peer.sample)});
+      all.push_back(
+          {std::string(peer.name) + "/" + peer.warp + "/" + peer.isa, nullptr, peer.columns, columns(peer.sample)});
   for (const vndf::Isa& isa : vndf::isas()) {
     if (!isa.supported) continue;
     auto add = [&](const std::string& name, int columns, Call call) {

@@ -5,8 +5,10 @@
 
 namespace peers {
 
-/// Columns wo.x, wo.y, wo.z, alpha_x, alpha_y, u1, u2 in; wm.x, wm.y, wm.z out.
-using Sample = void(std::size_t count, const float* const in[7], float* const out[3]);
+/// The columns of a batch in the order of ../inputs.h, as far as the peer reads and writes them. One that samples
+/// normals reads the first seven, wo.x, wo.y, wo.z, alpha_x, alpha_y, u1, u2, and writes the first three, wm.x, wm.y,
+/// wm.z. Others do what the library's operation does in the benchmark, with the same columns.
+using Sample = void(std::size_t count, const float* const in[], float* const out[]);
 
 /// The same map of the same float inputs, in long double throughout.
 using Oracle = void(std::size_t count, const float* const in[7], long double* const out[3]);
@@ -14,12 +16,13 @@ using Oracle = void(std::size_t count, const float* const in[7], long double* co
 /// One peer, compiled for one instruction set.
 struct Peer {
   const char* name;       ///< first part of a benchmark's name
-  const char* operation;  ///< what it samples: "sample_normals" (visible ones) or "sample_ndf" (all normals)
-  const char* warp;       ///< "polar", "spherical_cap" (the library's own parameterisations), or "own"
+  const char* operation;  ///< that of the library which it does, or "sample_ndf" (all normals)
+  const char* warp;       ///< a parameterisation of the library's, "own", or "none"
   const char* isa;        ///< "scalar", "sse42", "avx2", "avx512"
   bool supported;         ///< by this processor and its operating system
+  int columns;            ///< read and written
   Sample* sample;
-  Oracle* oracle;  ///< the peer's formulas in long double; the measure of its rounding errors where warp is "own"
+  Oracle* oracle;  ///< the peer's formulas in long double, the measure of its rounding errors; null: not measured
 };
 
 struct Peers {

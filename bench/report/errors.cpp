@@ -137,7 +137,7 @@ std::vector<Json> measure_peers(const HardCase& hard_case, std::size_t samples) 
   std::map<peers::Oracle*, Exact> known;
   std::vector<Json> rows;
   for (const peers::Peer& peer : peers::peers()) {
-    if (!peer.supported) continue;
+    if (!peer.supported || !peer.oracle) continue;
     auto [found, missing] = known.try_emplace(peer.oracle, Exact{Inputs(0), {}});
     auto& [in, exact] = found->second;
     if (missing) in = generate(hard_case, warp_named(peer.warp), samples, kSeed);

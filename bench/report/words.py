@@ -12,6 +12,12 @@ NICE = {
     "ndf_walter_2007": "NDF, Walter 2007",
     "ispc_listing": "ISPC listing",
     "ispc_caps": "ISPC caps",
+    "ispc_disk": "ISPC disk",
+    "ispc_reflection": "ISPC reflection",
+    "ispc_evaluation": "ISPC evaluation",
+    "ispc_pdf": "ISPC pdf",
+    "ispc_dielectric": "ISPC dielectric",
+    "ispc_dielectric_evaluation": "ISPC dielectric evaluation",
     "spherical_cap_listing": "caps listing",
     "paper_listing_fast": "fast listing",
     "plus_z": "exactly +z",
@@ -30,6 +36,12 @@ PAPERS = {
     "ndf_walter_2007": "Walter et al. 2007: all normals, visible or not",
     "ispc_listing": "Heitz 2018, Listing 1, in ISPC, with its approximate reciprocal square root",
     "ispc_caps": "Dupuy and Benyoub 2023 in ISPC, with its approximate reciprocal square root",
+    "ispc_disk": "the two maps of the disk in ISPC",
+    "ispc_reflection": "the step of a rough mirror in ISPC: a normal as above, direction, density, weight",
+    "ispc_evaluation": "the mirror's BRDF and density for a given light, textbook formulas in ISPC",
+    "ispc_pdf": "the density of visible normals, textbook formula in ISPC",
+    "ispc_dielectric": "the step of rough glass in ISPC, eta 1.5 known to the compiler",
+    "ispc_dielectric_evaluation": "its evaluation for a given light, Walter et al. 2007 in ISPC",
 }
 
 
