@@ -36,6 +36,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <type_traits>
 
@@ -47,16 +48,16 @@ namespace VNDF_API vndf {
 /// saves the reads. Both give the same bits, except for the columns of an Ellipsoid, which choose how it is computed.
 /// The floats must live until the call returns.
 struct Column {
-  const float* data;  ///< `count` floats, or a null pointer for a constant
-  float value;        ///< the constant
-  bool constant;
+  const float* data;       ///< `count` floats, or a null pointer for a constant
+  float value;             ///< the constant
+  std::uint32_t constant;  ///< 1 or 0; as wide as the value beside it, so that both are one store of a small call
 
   /// `count` floats. A null pointer, unless for count 0, is an error of the caller's: debug builds of the library
   /// assert it, others read the constant 0.
-  constexpr Column(const float* column) noexcept : data(column), value(0.f), constant(false) {}
+  constexpr Column(const float* column) noexcept : data(column), value(0.f), constant(0) {}
   /// A constant of any arithmetic type, so that {0, 0, 1} is a direction and 0 not a pointer.
   template <class T, class = std::enable_if_t<std::is_arithmetic<T>::value>>
-  constexpr Column(T constant_) noexcept : data(nullptr), value(static_cast<float>(constant_)), constant(true) {}
+  constexpr Column(T constant_) noexcept : data(nullptr), value(static_cast<float>(constant_)), constant(1) {}
 };
 
 /// Two columns: a pair of random numbers, or alpha_x and alpha_y.

@@ -23,15 +23,15 @@ class Asked {
   VNDF_INLINE auto masking() const {
     return Surface::masking(masking_, across_);
   }
-  template <class F>
+  template <class F, class Place>
   struct Lobes {
     bool radiance, given;
     InColumn probability;
-    std::size_t i;
+    Place i;
     VNDF_INLINE F reflection() const { return probability.load<F>(i); }
   };
-  template <class F>
-  VNDF_INLINE Lobes<F> lobes(std::size_t i) const {
+  template <class F, class Place>
+  VNDF_INLINE Lobes<F, Place> lobes(Place i) const {
     return {radiance_, given_, probability_, i};
   }
 

@@ -7,6 +7,8 @@ namespace {
 
 template <class Surface>
 struct Evaluation {
+  static constexpr int kVectors = kVectorsOfPairs;
+
   InColumns3 wo, wi;
   Surface surface;
   InColumn eta;
@@ -23,8 +25,8 @@ struct Evaluation {
   }
   VNDF_INLINE void prepare(std::size_t n) const { surface.prepare(n); }
 
-  template <class F>
-  VNDF_INLINE void at(std::size_t i) const {
+  template <class F, class Place>
+  VNDF_INLINE void at(Place i) const {
     auto value = lanes::evaluate_dielectric(wo.load<F>(i), wi.load<F>(i), surface.template for_pair<F>(i),
                                             eta.load<F>(i), asked.masking<Surface>(), asked.lobes<F>(i));
     f_cos.store(i, value.f_cos);

@@ -6,6 +6,8 @@ namespace {
 
 template <class Surface, vndf::Masking masking, bool bounded>
 struct Evaluation {
+  static constexpr int kVectors = kVectorsOfPairs;
+
   InColumns3 wo, wi;
   Surface surface;
   OutColumn f_cos, pdf;
@@ -21,8 +23,8 @@ struct Evaluation {
   }
   VNDF_INLINE void prepare(std::size_t n) const { surface.prepare(n); }
 
-  template <class F>
-  VNDF_INLINE void at(std::size_t i) const {
+  template <class F, class Place>
+  VNDF_INLINE void at(Place i) const {
     auto value = evaluate(wo.load<F>(i), wi.load<F>(i), surface.template for_pair<F>(i));
     if (wo_dot_wm.wanted())  // loaded again, so that they keep no registers until here
       wo_dot_wm.store(i, lanes::half_cosine(wo.load<F>(i), wi.load<F>(i)));

@@ -6,6 +6,8 @@ namespace {
 
 template <class Surface>
 struct Density {
+  static constexpr int kVectors = kVectorsOfPairs;
+
   InColumns3 wo, wm;
   Surface surface;
   OutColumn pdf;
@@ -20,8 +22,8 @@ struct Density {
   }
   VNDF_INLINE void prepare(std::size_t n) const { surface.prepare(n); }
 
-  template <class F>
-  VNDF_INLINE void at(std::size_t i) const {
+  template <class F, class Place>
+  VNDF_INLINE void at(Place i) const {
     pdf.store(i, lanes::visible_normal_pdf(wo.load<F>(i), wm.load<F>(i), surface.template for_pair<F>(i)));
   }
 };

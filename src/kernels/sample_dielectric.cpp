@@ -8,6 +8,8 @@ namespace {
 
 template <class Warp, class Surface>
 struct Dielectric {
+  static constexpr int kVectors = ::kVectors;
+
   InColumns3 wo;
   Surface surface;
   InColumn eta;
@@ -27,8 +29,8 @@ struct Dielectric {
   }
   VNDF_INLINE void prepare(std::size_t n) const { surface.prepare(n); }
 
-  template <class F>
-  VNDF_INLINE void at(std::size_t i) const {
+  template <class F, class Place>
+  VNDF_INLINE void at(Place i) const {
     auto given = wo.load<F>(i);
     auto sample = lanes::sample_dielectric<Warp>(surface.view(given, i), surface.template shape<F>(i), eta.load<F>(i),
                                                  u.load<F>(i), asked.masking<Surface>(), asked.lobes<F>(i));

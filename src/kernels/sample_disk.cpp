@@ -7,6 +7,8 @@ namespace {
 
 template <class Warp>
 struct Disk {
+  static constexpr int kVectors = kVectorsOfPairs;
+
   InColumns2 u;
   OutColumn t1, t2;
 
@@ -20,8 +22,8 @@ struct Disk {
   }
   VNDF_INLINE void prepare(std::size_t) const {}
 
-  template <class F>
-  VNDF_INLINE void at(std::size_t i) const {
+  template <class F, class Place>
+  VNDF_INLINE void at(Place i) const {
     auto t = cartesian(Warp::disk_point(u.load<F>(i)));
     t1.store(i, t.x);
     t2.store(i, t.y);

@@ -7,6 +7,8 @@ namespace {
 
 template <class Warp, class Surface>
 struct Normals {
+  static constexpr int kVectors = ::kVectors;
+
   InColumns3 wo;
   Surface surface;
   InColumns2 u;
@@ -22,8 +24,8 @@ struct Normals {
   }
   VNDF_INLINE void prepare(std::size_t n) const { surface.prepare(n); }
 
-  template <class F>
-  VNDF_INLINE void at(std::size_t i) const {
+  template <class F, class Place>
+  VNDF_INLINE void at(Place i) const {
     auto view = surface.view(wo.load<F>(i), i);
     wm.store(i, lanes::sample_normal<Warp>(view, surface.template shape<F>(i), u.load<F>(i),
                                            surface.template theta_z<F>(i)));

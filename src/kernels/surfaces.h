@@ -35,16 +35,16 @@ struct Alpha {
   VNDF_INLINE Vec3<F> view(const Vec3<F>& wo, std::size_t) const {
     return wo;
   }
-  template <class F>
-  VNDF_INLINE Vec2<F> shape(std::size_t i) const {
+  template <class F, class Place>
+  VNDF_INLINE Vec2<F> shape(Place i) const {
     return alpha.load<F>(i);
   }
   template <class F>
   VNDF_INLINE lanes::XAxis theta_z(std::size_t) const {
     return {};
   }
-  template <class F>
-  VNDF_INLINE Vec2<F> for_pair(std::size_t i) const {
+  template <class F, class Place>
+  VNDF_INLINE Vec2<F> for_pair(Place i) const {
     return alpha.load<F>(i);
   }
 };
@@ -67,20 +67,20 @@ struct TurnedAlpha {
   }
   VNDF_INLINE void prepare(std::size_t) const {}
 
-  template <class F>
-  VNDF_INLINE Vec3<F> view(const Vec3<F>& wo, std::size_t i) const {
+  template <class F, class Place>
+  VNDF_INLINE Vec3<F> view(const Vec3<F>& wo, Place i) const {
     return turn(wo, lanes::rotation_of(angle.load<F>(i)));
   }
-  template <class F>
-  VNDF_INLINE Vec2<F> shape(std::size_t i) const {
+  template <class F, class Place>
+  VNDF_INLINE Vec2<F> shape(Place i) const {
     return alpha.load<F>(i);
   }
-  template <class F>
-  VNDF_INLINE lanes::Angle<F> theta_z(std::size_t i) const {
+  template <class F, class Place>
+  VNDF_INLINE lanes::Angle<F> theta_z(Place i) const {
     return lanes::angle_of<F>(angle.load<F>(i));
   }
-  template <class F>
-  VNDF_INLINE lanes::TurnedAlpha<F> for_pair(std::size_t i) const {
+  template <class F, class Place>
+  VNDF_INLINE lanes::TurnedAlpha<F> for_pair(Place i) const {
     return turned_shape(alpha.load<F>(i), lanes::rotation_of(angle.load<F>(i)));
   }
 };
@@ -195,9 +195,11 @@ class Matrix {
   // Not inlined: one function for all kernels of an object.
   VNDF_NOINLINE static void work_out(std::size_t n, InColumns2 alpha, InColumn theta_x, InColumn theta_y,
                                      InColumn theta_z, Room& room) {
-    for (std::size_t i = 0; i < n; i += kWidth)
-      room.store(i, For::of(lanes::tilted_shape(alpha.load<Vector>(i), theta_x.load<Vector>(i), theta_y.load<Vector>(i),
-                                                theta_z.load<Vector>(i))));
+    for (std::size_t i = 0; i < n; i += kWidth) {
+      Part part{i, n - i < kWidth ? n - i : kWidth};
+      room.store(i, For::of(lanes::tilted_shape(alpha.load<Vector>(part), theta_x.load<Vector>(part),
+                                                theta_y.load<Vector>(part), theta_z.load<Vector>(part))));
+    }
   }
 
   bool per_lane_;

@@ -297,10 +297,11 @@ VNDF_INLINE void store(Batch<Arch> a, float* p) {
   a.store_unaligned(p);
 }
 
-/// The first n floats at p, fewer than a vector and at least one, and for the other lanes the first of them: what is
-/// beyond is not touched. Whole vectors are written and read: pieces of one that is then read as a whole would stall.
+/// The first n floats at p, at least one and at most a vector, and for the other lanes the first of them: what is
+/// beyond is not touched.
 template <class F>
 VNDF_INLINE F load_first(const float* p, std::size_t n) {
+  if constexpr (kWidth<F> == 1) return load<F>(p);
 #if defined(__AVX512F__)
   if constexpr (kWidth<F> == 16)
     return _mm512_mask_loadu_ps(_mm512_set1_ps(*p), static_cast<__mmask16>((1u << n) - 1), p);
@@ -314,6 +315,7 @@ VNDF_INLINE F load_first(const float* p, std::size_t n) {
 #endif
 #if defined(__SSE4_1__)
   if constexpr (kWidth<F> == 4) {
+    if (n == 4) return load<F>(p);
     __m128 all = _mm_set1_ps(*p);
     if (n > 1) all = _mm_insert_ps(all, _mm_load_ss(p + 1), 0x10);
     if (n > 2) all = _mm_insert_ps(all, _mm_load_ss(p + 2), 0x20);
@@ -326,6 +328,7 @@ VNDF_INLINE F load_first(const float* p, std::size_t n) {
 }
 template <class F>
 VNDF_INLINE void store_first(F a, float* p, std::size_t n) {
+  if (n == kWidth<F>) return store(a, p);
 #if defined(__AVX512F__)
   if constexpr (kWidth<F> == 16) return _mm512_mask_storeu_ps(p, static_cast<__mmask16>((1u << n) - 1), a);
 #endif
