@@ -11,7 +11,8 @@ namespace bench {
 // wo.x, wo.y, wo.z, alpha_x, alpha_y, u1, u2; what some operations read besides: u3, theta_x, theta_y, theta_z, and
 // directions of light
 constexpr std::size_t kInputs = 14;
-constexpr std::size_t kOutputs = 8;  // wm.x, wm.y, wm.z, wi.x, wi.y, wi.z, pdf, weight
+// wm.x, wm.y, wm.z, wi.x, wi.y, wi.z, pdf, weight; and what some write besides: side, wo_dot_wm, wi_dot_wm, reflectance
+constexpr std::size_t kOutputs = 12;
 
 /// The columns of one batch, in the order of the constants above. `arena` owns the floats.
 struct Batch {

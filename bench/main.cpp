@@ -36,6 +36,7 @@ struct Operation {
   const char* isa;   // to set in the library, or null
   int columns;       // read and written
   Call call;
+  bool once = false;  // with one batch alone, kData[kOnce]
 };
 
 struct Data {
@@ -48,6 +49,7 @@ constexpr Data kData[] = {{"camera", 1},     {"camera", 2},        {"camera", 4}
                           {"camera", 256},   {"camera", 1024},     {"camera", 4096},
                           {"camera", 32768}, {"camera", 262144},   {"camera", 4194304},
                           {"uniform", 4096}, {"uniform", 4194304}, {"camera_unaligned", 4096}};
+constexpr std::size_t kOnce = 4;
 
 /// Batches live as long as the program: benchmarks may be repeated and interleaved.
 const bench::Batch& batch_of(const Data& data) {
@@ -172,6 +174,61 @@ Call evaluate_dielectric() {
   };
 }
 
+// Options, of the concentric warp and for the evaluations.
+Call sample_reflection(const vndf::ReflectionOptions& options) {
+  return [=](const bench::Batch& b) {
+    vndf::sample_reflection(vndf::Warp::concentric, b.count, wo(b), alpha(b), u(b), {wi(b), b.out[6], b.out[7]},
+                            options);
+  };
+}
+Call sample_reflection_all_outputs() {
+  return [](const bench::Batch& b) {
+    vndf::sample_reflection(vndf::Warp::concentric, b.count, wo(b), alpha(b), u(b),
+                            {wi(b), b.out[6], b.out[7], wm(b), b.out[9]});
+  };
+}
+Call evaluate_reflection_all_outputs() {
+  return [](const bench::Batch& b) {
+    vndf::evaluate_reflection(b.count, wo(b), light(b), alpha(b), {b.out[6], b.out[7], b.out[9]});
+  };
+}
+struct DielectricKind {
+  const char* name;
+  vndf::AcrossMasking across;
+  bool radiance;
+  bool given;  // the probability of reflection, one value
+};
+constexpr DielectricKind kDielectrics[] = {
+    {"_as_reflection", vndf::AcrossMasking::as_reflection, false, false},
+    {"_correlated_across", vndf::AcrossMasking::height_correlated, false, false},
+    {"_radiance", vndf::AcrossMasking::separable, true, false},
+    {"_probability", vndf::AcrossMasking::separable, false, true},
+};
+vndf::DielectricOptions options_of(const DielectricKind& kind) {
+  vndf::DielectricOptions options;
+  options.across = kind.across;
+  options.radiance = kind.radiance;
+  if (kind.given) options.reflection_probability = 0.5f;
+  return options;
+}
+Call sample_dielectric(const DielectricKind& kind) {
+  return [options = options_of(kind)](const bench::Batch& b) {
+    vndf::sample_dielectric(vndf::Warp::concentric, b.count, wo(b), alpha(b), kEta, {b.in[5], b.in[6], b.in[7]},
+                            {wi(b), b.out[6], b.out[7], b.out[8]}, options);
+  };
+}
+Call sample_dielectric_all_outputs() {
+  return [](const bench::Batch& b) {
+    vndf::sample_dielectric(vndf::Warp::concentric, b.count, wo(b), alpha(b), kEta, {b.in[5], b.in[6], b.in[7]},
+                            {wi(b), b.out[6], b.out[7], b.out[8], wm(b), b.out[9], b.out[10], b.out[11]});
+  };
+}
+Call evaluate_dielectric(const DielectricKind& kind) {
+  return [options = options_of(kind)](const bench::Batch& b) {
+    vndf::evaluate_dielectric(b.count, wo(b), light(b), alpha(b), kEta, {b.out[6], b.out[7]}, options);
+  };
+}
+
 Call columns(CopyFunction* function) {
   return [function](const bench::Batch& b) { function(b.count, b.in.data(), b.out.data()); };
 }
@@ -210,6 +267,19 @@ std::vector<Operation> operations() {
     add("pdf_normals/none", 9, pdf_normals());
     for (auto [warp, name] : bench::kWarps) add(std::string("sample_dielectric/") + name, 14, sample_dielectric(warp));
     add("evaluate_dielectric/none", 10, evaluate_dielectric());
+
+    auto add_option = [&](const std::string& name, int columns, Call call) {
+      add(name, columns, std::move(call));
+      all.back().once = true;
+    };
+    add_option("sample_reflection_two_sided/concentric", 12, sample_reflection({{}, false, true}));
+    add_option("sample_reflection_all_outputs/concentric", 16, sample_reflection_all_outputs());
+    add_option("evaluate_reflection_all_outputs/none", 11, evaluate_reflection_all_outputs());
+    for (const DielectricKind& kind : kDielectrics) {
+      add_option(std::string("sample_dielectric") + kind.name + "/concentric", 14, sample_dielectric(kind));
+      add_option(std::string("evaluate_dielectric") + kind.name + "/none", 10, evaluate_dielectric(kind));
+    }
+    add_option("sample_dielectric_all_outputs/concentric", 20, sample_dielectric_all_outputs());
   }
 #define VNDF_COPY(isa)                                                                   \
   if (supported(#isa)) {                                                                 \
@@ -227,6 +297,7 @@ void register_benchmarks() {
     for (const Operation& operation : all) {
       bool aligned_only = operation.name.rfind("copy/streaming", 0) == 0;
       if (aligned_only && std::strcmp(data.input, "camera_unaligned") == 0) continue;
+      if (operation.once && &data != &kData[kOnce]) continue;
       std::string name = operation.name + "/" + data.input + "/" + std::to_string(data.count);
       benchmark::RegisterBenchmark(name.c_str(), [operation, data](benchmark::State& state) {
         set_isa(state, operation.isa);
