@@ -21,8 +21,8 @@ namespace VNDF_API vndf {
 /// theta_z           turns the axes of alpha about n: alpha_x is along (cos theta_z, -sin theta_z, 0).
 /// theta_x, theta_y  lean the distribution.
 ///
-/// Angles are in radians, modulo 2 pi. Directions turned by them are off by 0.6 eps up to pi either way, beyond that by
-/// theta eps. Beyond 1e6 either way results are unspecified.
+/// Angles are in radians, modulo 2 pi. A direction that one of them turns is off by at most 2.5 eps up to pi either
+/// way, beyond that by theta eps. Beyond 1e6 either way results are unspecified.
 struct Ellipsoid {
   Columns2 alpha;
   Column theta_x, theta_y, theta_z;

@@ -24,15 +24,25 @@ using testing::Table;
 
 // |theta| <= pi.
 TEST(Angle, Accuracy) {
-  double worst = 0, worst_length = 0;
+  double worst = 0, worst_length = 0, worst_turn = 0, worst_small = 0;
+  const lanes::Vec3<float> v{0.6f, 0.8f, 0};
   for (int i = -2000000; i <= 2000000; ++i) {
     float theta = float(double(i) / 2000000 * kPi<double>);
     auto angle = lanes::angle_of<double>(theta);
     keep_larger(worst, std::hypot(angle.cos - std::cos(double(theta)), angle.sin - std::sin(double(theta))));
     keep_larger(worst_length, std::fabs(std::hypot(angle.cos, angle.sin) - 1));
+    double c = std::cos(double(theta)), s = std::sin(double(theta));
+    auto turned = lanes::turn(v, lanes::rotation_of(theta));
+    double x = c * v.x - s * v.y, y = s * v.x + c * v.y;
+    keep_larger(worst_turn, std::hypot(turned.x - x, turned.y - y));
+    if (std::fabs(x) < 0.0625) keep_larger(worst_small, std::fabs(turned.x - x));
+    if (std::fabs(y) < 0.0625) keep_larger(worst_small, std::fabs(turned.y - y));
   }
-  std::printf("angle: %.3f eps, length %.3f\n", worst / kEps, worst_length / kEps);
-  EXPECT_LE(worst, 0.5 * kEps);
+  std::printf("angle: %.3f eps, length %.3f, turned vector %.3f, its small components %.3f\n", worst / kEps,
+              worst_length / kEps, worst_turn / kEps, worst_small / kEps);
+  EXPECT_LE(worst, 0.4 * kEps);
+  EXPECT_LE(worst_turn, 2.5 * kEps);
+  EXPECT_LE(worst_small, 0.6 * kEps);
   auto zero = lanes::angle_of<double>(0.f);
   EXPECT_EQ(zero.cos, 1);
   EXPECT_EQ(zero.sin, 0);

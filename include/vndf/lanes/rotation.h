@@ -118,7 +118,7 @@ template <class F>
 VNDF_INLINE Vec3<F> turn(const Vec3<F>& v, const Angle<F>& z) {
   return {z.cos * v.x - z.sin * v.y, z.sin * v.x + z.cos * v.y, v.z};
 }
-/// The same to 0.6 eps, also where the sums cancel: the large products are exact, and they are taken from v itself.
+/// The same to 2.5 eps, and to 0.6 where the sums cancel: the large products are exact, and are taken from v itself.
 template <class F>
 VNDF_INLINE Vec3<F> turn(const Vec3<F>& v, const Versed<F>& z) {
   F less = z.versine;
