@@ -167,7 +167,7 @@ TEST(Dielectric, SampledPairsAreNeverEvaluatedToZero) {
   }
   const Columns2 alpha{alpha_x.data(), alpha_y.data()};
   double worst = 0;
-  for (float apart : {1e-3f, 1e-2f, 0.33f, 9.f})
+  for (float apart : {2e-5f, 1e-4f, 1e-3f, 1e-2f, 0.33f, 9.f})
     for (float eta : {1 + apart, 1 / (1 + apart)}) {
       const R contrast = std::fmax(R(1), (1 + R(apart)) * (1 + apart) / 6);
       on_every_isa([&] {
@@ -191,7 +191,7 @@ TEST(Dielectric, SampledPairsAreNeverEvaluatedToZero) {
             keep_larger(worst, error);
             ASSERT_LE(error, 4) << kWarpNames[int(warp)] << " eta " << eta << " at " << i;
           }
-          ASSERT_GT(compared, kCount / 100);
+          ASSERT_TRUE(compared > kCount / 100 || apart < 1e-3f);
         }
       });
     }
