@@ -17,9 +17,12 @@ import pandas as pd
 
 from tables import read_speeds, split_names
 
-# Batch sizes between the large and the small serve one plot: no peers but the listing.
+# Batch sizes between the large and the small serve two plots: no peers but the listing and ISPC's.
 MAIN_COUNTS = (4096, 4194304)
-CURVE = r"(?:sample_.*|copy|paper_listing)$"
+CURVE = r"(?:sample_.*|evaluate_.*|pdf_normals|copy|paper_listing|ispc_.*)$"
+# Its time tells the two states of a shared core apart: bench/README.md.
+REFERENCE = r"sample_normals/polar/\w+/camera/4096"
+BUSY = 1.1
 # Ellipsoids are compared with plain GGX once.
 ELLIPSOIDS = "input == 'camera' and count == 4096"
 
@@ -68,6 +71,15 @@ def run(bench: Path, names: list[str], min_time: float, repetitions: int, out: P
         sys.exit(f"{bench.name} failed:\n{finished.stderr}")
 
 
+def reference(bench: Path, out: Path) -> float:
+    """Nanoseconds of a call that only needs the core: on the best instruction set that there is."""
+    listed = subprocess.run([bench, "--benchmark_list_tests"], capture_output=True, text=True, check=True)
+    name = [name for name in listed.stdout.split() if re.fullmatch(REFERENCE, name)][-1]
+    run(bench, [name], 0.02, 5, out)
+    runs = json.loads(out.read_text())["benchmarks"]
+    return next(run["cpu_time"] for run in runs if run["aggregate_name"] == "median")
+
+
 def main() -> None:
     arguments = parse_arguments()
     pieces = in_pieces(arguments.bench, arguments.inputs)
@@ -80,12 +92,17 @@ def main() -> None:
     context: dict[str, Any] = {}
     runs: list[dict[str, Any]] = []
     start = time.monotonic()
+    before = reference(arguments.bench, part)
     for index, names in enumerate(pieces, 1):
         source, count = names[0].split("/")[3:5]
         elapsed = f"{time.monotonic() - start:.0f} s so far"
         print(f"\nbench {index}/{len(pieces)}: {source}, {count} samples a call, {elapsed}", flush=True)
         run(arguments.bench, names, min_time, arguments.repetitions, part)
         found = json.loads(part.read_text())
+        after = reference(arguments.bench, part)
+        for result in found["benchmarks"]:
+            result["pace"] = max(before, after)
+        before = after
         context = context or found["context"]
         # In the order of the names, not in the random one in which they were measured.
         runs += sorted(found["benchmarks"], key=lambda run: names.index(run["run_name"]))
@@ -93,6 +110,13 @@ def main() -> None:
         rates = speeds.pivot_table("msamples", ["operation", "warp", "threads"], "isa", sort=False)
         print(rates.to_string(na_rep="-", float_format="{:.1f}".format), flush=True)
     part.unlink()
+    fastest = min(run["pace"] for run in runs)
+    for result in runs:
+        result["pace"] /= fastest
+    slowest = max(run["pace"] for run in runs)
+    print(f"\nbench: the reference kernel took 1 to {slowest:.2f} times its shortest time")
+    if slowest > BUSY:
+        print("bench: warning: something else ran on this core; the report marks what was measured then")
     arguments.out.write_text(json.dumps({"context": context, "benchmarks": runs}, indent=1))
     print(f"\nbench: {time.monotonic() - start:.0f} s; the numbers are million samples per second")
 

@@ -61,6 +61,16 @@ def error_series(errors: pd.DataFrame, operation: str) -> list[tuple[pd.DataFram
     return series
 
 
+def small_calls(curves: pd.DataFrame) -> dict[str, str] | None:
+    """Of polar sampling and of what has no warp, where ISPC's peers were built."""
+    rows = curves[curves.warp.isin(["polar", "none"]) & (curves["count"] <= 4096)]
+    rows = rows[(rows.kind == "ours") | rows.operation.str.startswith("ispc_")]
+    operations = ["sample_normals", "sample_reflection", "evaluate_reflection", "sample_dielectric"]
+    if not (rows.kind == "peer").any():
+        return None
+    return in_both_modes(plots.small_calls, rows, operations)
+
+
 def draw_all(
     results: pd.DataFrame,
     headline: pd.DataFrame,
@@ -85,6 +95,7 @@ def draw_all(
     return {
         "speed_against_error": speed,
         "throughput": batches,
+        "small_calls": small_calls(curves),
         "errors": cases,
         "overview": in_both_modes(plots.overview, plain),
         "checker": in_both_modes(plots.warped_square, maps, "checker"),

@@ -179,6 +179,31 @@ def throughput(rows: pd.DataFrame, listing: pd.DataFrame | None) -> Figure:
     return figure
 
 
+def small_calls(rows: pd.DataFrame, operations: list[str]) -> Figure:
+    """Nanoseconds of a call against its samples, ours and ISPC's: a panel per operation."""
+    isas = [isa for isa in rows.isa.unique() if isa in set(rows.isa[rows.kind == "peer"])]
+    figure, panels = plt.subplots(1, len(operations), figsize=(9, 3.7), sharey=True, squeeze=False)
+    for axes, operation in zip(panels[0], operations):
+        same = rows[rows.does == operation].sort_values("count")
+        for isa, color in zip(isas, OF_ISAS):
+            for kind, dashes, name in (("ours", "-", nice(isa)), ("peer", DASHES, "")):
+                line = same[(same.isa == isa) & (same.kind == kind)]
+                axes.plot(line["count"], line.ns * line["count"], color=color, ls=dashes, lw=1.3, label=name or None)
+        axes.set_title(nice(operation))
+        axes.set(xscale="log", yscale="log", xlabel="samples per call")
+        axes.xaxis.set_major_locator(FixedLocator([1, 4, 16, 64, 256, 1024, 4096]))
+        axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: binary(value)))
+        axes.xaxis.set_minor_locator(NullLocator())
+        axes.tick_params(axis="x", labelrotation=45)
+        log_axis(axes.yaxis)
+    panels[0][0].plot([], [], color=style("axes.labelcolor"), ls=DASHES, label="in ISPC")
+    panels[0][0].set_ylabel("nanoseconds per call")
+    handles, names = panels[0][0].get_legend_handles_labels()
+    figure.legend(handles, names, loc="lower center", ncol=len(names))
+    figure.subplots_adjust(left=0.07, right=0.99, top=0.92, bottom=0.3, wspace=0.08)
+    return figure
+
+
 def binary(count: float) -> str:
     for limit, unit in ((1 << 20, " Mi"), (1 << 10, " Ki")):
         if count >= limit:

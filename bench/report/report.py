@@ -15,7 +15,7 @@ import tables
 
 # What headlines and the first figures are about.
 INPUT, COUNT = "camera", 4096
-SPEEDS = ["ns", "msamples", "vs_listing", "roofline_share"]
+SPEEDS = ["ns", "msamples", "vs_listing", "vs_ispc", "roofline_share", "pace"]
 ERRORS = ["mean_eps", "p999_eps", "max_eps", "worst_row", "ratio"]
 
 

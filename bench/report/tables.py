@@ -36,6 +36,8 @@ def read_speeds(runs: list[dict[str, Any]]) -> pd.DataFrame:
     speeds["ns"] = 1e9 / table.items_per_second
     speeds["msamples"] = table.items_per_second / 1e6
     speeds["bytes"] = table.bytes_per_second / table.items_per_second
+    # Time of the reference kernel beside these, in units of its shortest: above 1.1 the core was busy.
+    speeds["pace"] = table.get("pace", 1.0)
     return speeds.reset_index(drop=True)
 
 
@@ -74,6 +76,17 @@ def summarise(rows: pd.DataFrame) -> pd.Series:
     )
 
 
+def ispc_ns(speeds: pd.DataFrame, results: pd.DataFrame, peers: dict[str, str]) -> pd.Series:
+    """Of the same work in ISPC on the same set; of the polar map where it has no concentric one."""
+    keys = ["does", "warp", "isa", "input", "count"]
+    theirs = speeds[speeds.operation.str.startswith("ispc_")]
+    theirs = theirs.assign(does=theirs.operation.map(peers)).set_index(keys).ns.astype(float)
+    ours = results.assign(does=results.operation)[keys]
+    same = theirs.reindex(pd.MultiIndex.from_frame(ours)).to_numpy()
+    polar = theirs.reindex(pd.MultiIndex.from_frame(ours.replace({"warp": {"concentric": "polar"}}))).to_numpy()
+    return pd.Series(same, results.index).fillna(pd.Series(polar, results.index))
+
+
 def join(speeds: pd.DataFrame, errors: pd.DataFrame, peers: dict[str, str]) -> pd.DataFrame:
     """Each speed with its ratios and its errors: ours first, then the peers, then the copy."""
     summaries = errors[~errors.undefined].groupby(IMPLEMENTATION, sort=False).apply(summarise).reset_index()
@@ -88,6 +101,7 @@ def join(speeds: pd.DataFrame, errors: pd.DataFrame, peers: dict[str, str]) -> p
     )
     results = results.join(listing, on=["input", "count"])
     results["vs_listing"] = results.listing_ns / results.ns
+    results["vs_ispc"] = ispc_ns(single, results, peers) / results.ns
     # The roofline: the best copy of as many bytes.
     copies = single[single.operation == "copy"]
     ns_per_byte = (copies.ns / copies.bytes).groupby(copies["count"]).min()
