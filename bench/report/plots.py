@@ -96,7 +96,7 @@ def speed_against_error(rows: pd.DataFrame) -> Figure:
     distance.set_xlabel("the same as a distance between unit vectors", fontsize=8)
     distance.spines["top"].set_visible(False)
     axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.1), ncol=4, columnspacing=1.6)
-    figure.subplots_adjust(left=0.075, right=0.985, top=0.9, bottom=0.17)
+    figure.subplots_adjust(left=0.075, right=0.985, top=0.9, bottom=0.2)
     return figure
 
 
