@@ -22,7 +22,8 @@ function(vndf_lanes_objects name)
   target_compile_options(vndf_${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fschedule-insns;-fsched-pressure>
                                               ${vndf_kernel_options})
   # Several pointers in one store, and then loaded one by one, wait for the store to reach the cache: 20 ns a call.
-  target_compile_options(vndf_${name} PRIVATE -fno-tree-slp-vectorize)
+  vndf_shell(one_by_one -fno-tree-slp-vectorize)
+  target_compile_options(vndf_${name} PRIVATE "${one_by_one}")
   target_compile_definitions(vndf_${name} PRIVATE VNDF_LANES_BUILD=kernels_${name} xsimd=xsimd_kernels_${name})
   target_sources(vndf PRIVATE $<TARGET_OBJECTS:vndf_${name}>)
 endfunction()

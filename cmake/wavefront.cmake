@@ -1,5 +1,5 @@
-# Targets of the presets wavefront, wavefront-test and wavefront-measure: install the library to a prefix within the build directory, and build
-# the renderer of bench/wavefront, a project of its own, from what is there.
+# Targets of the presets wavefront, wavefront-test and wavefront-measure: install the library to a prefix within the build
+# directory, and build the renderer of bench/wavefront, a project of its own, from what is there.
 set(prefix ${CMAKE_BINARY_DIR}/prefix)
 set(renderer ${CMAKE_BINARY_DIR}/renderer)
 

@@ -27,6 +27,8 @@ constexpr std::size_t kBlock = 256;
 struct Part {
   std::size_t begin, lanes;
 
+  /// That at lane i of a block of n.
+  static VNDF_INLINE Part at(std::size_t i, std::size_t n) { return {i, n - i < kWidth ? n - i : kWidth}; }
   /// Where the columns are padded.
   VNDF_INLINE operator std::size_t() const { return begin; }
 };

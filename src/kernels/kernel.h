@@ -17,8 +17,9 @@ namespace {
 /// columns are larger than a core's share of any last-level cache, and a line written whole need not be read first.
 constexpr std::size_t kStreaming = std::size_t(1) << 20;
 
-/// A block for each column, where the column of the call will not do: for constants and for streaming.
-using Buffers = float[26][kBlock];
+/// A block for each column, where the column of the call will not do: for constants and for streaming. No function has
+/// more than sample_dielectric of an ellipsoid, 13 inputs and 12 outputs.
+using Buffers = float[25][kBlock];
 
 /// A constant becomes a column of one block, which stays where it is.
 VNDF_NOINLINE const float* fill(float* buffer, float value, std::size_t n) {
@@ -42,7 +43,7 @@ VNDF_INLINE void run_block(const Kernel& kernel, std::size_t n) {
   std::size_t i = 0;
   if constexpr (Kernel::kVectors > 1)
     for (; i + kAtOnce <= n; i += kAtOnce) kernel.template at<lanes::Many<Vector, Kernel::kVectors>>(i);
-  for (; i < n; i += kWidth) kernel.template at<Vector>(Part{i, n - i < kWidth ? n - i : kWidth});
+  for (; i < n; i += kWidth) kernel.template at<Vector>(Part::at(i, n));
 }
 
 /// Block after block. The kernel is a copy whose address nobody has: so compilers keep its columns in registers, know

@@ -196,7 +196,7 @@ class Matrix {
   VNDF_NOINLINE static void work_out(std::size_t n, InColumns2 alpha, InColumn theta_x, InColumn theta_y,
                                      InColumn theta_z, Room& room) {
     for (std::size_t i = 0; i < n; i += kWidth) {
-      Part part{i, n - i < kWidth ? n - i : kWidth};
+      Part part = Part::at(i, n);
       room.store(i, For::of(lanes::tilted_shape(alpha.load<Vector>(part), theta_x.load<Vector>(part),
                                                 theta_y.load<Vector>(part), theta_z.load<Vector>(part))));
     }
