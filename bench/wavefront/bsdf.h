@@ -1,12 +1,25 @@
 // Where a queue meets the library: one batch of vertices of one kind of surface.
 #pragma once
 
-#include <vndf/ellipsoid.h>
 #include <vndf/vndf.h>
 
-#include "queues.h"
+#include "scene.h"
 
 namespace wavefront {
+
+/// Vertices that one call of the library takes.
+constexpr std::uint32_t kBatch = 512;
+
+template <std::uint32_t N>
+struct Columns3 {
+  float x[N], y[N], z[N];
+
+  Vec3 get(std::uint32_t i) const { return {x[i], y[i], z[i]}; }
+  void set(std::uint32_t i, Vec3 v) { x[i] = v.x, y[i] = v.y, z[i] = v.z; }
+  void add(std::uint32_t i, Vec3 v) { set(i, get(i) + v); }
+  operator vndf::Columns3() const { return {x, y, z}; }
+  operator vndf::Out3() { return {x, y, z}; }
+};
 
 enum class Sampler { vndf, bounded, ndf };
 struct Sampling {
@@ -14,23 +27,25 @@ struct Sampling {
   vndf::Warp warp = vndf::Warp::concentric;
 };
 
+/// A direction at each vertex and what light from there counts, without Fresnel's factor but for glass: f cos, but
+/// f cos / pdf of directions that were sampled. The cosine is that of the view to the microfacet's normal.
+struct Directions {
+  Columns3<kBatch> w;
+  float value[kBatch], pdf[kBatch], cosine[kBatch];
+};
 /// Columns of a batch, in the local shading frame. Views from below are within glass, and mirrored for all else.
 struct Batch {
   std::uint32_t count = 0;
-  Columns3 wo{kBatch}, u{kBatch};
-  Column<float> alpha_x{kBatch}, alpha_y{kBatch}, theta_z{kBatch}, eta{kBatch};
-  Columns3 light{kBatch};  // where light was sampled
-  // Made by shade_batch: the next direction, and what light from either direction counts, without Fresnel's factor but
-  // for glass. Cosines are those of the view to the microfacet's normal.
-  Columns3 wi{kBatch}, normal{kBatch};
-  Column<float> pdf{kBatch}, weight{kBatch}, side{kBatch}, cosine{kBatch};
-  Column<float> light_f_cos{kBatch}, light_pdf{kBatch}, light_cosine{kBatch};
-  Column<float> spare{kBatch};
+  Columns3<kBatch> wo, u;
+  float alpha_x[kBatch], alpha_y[kBatch], theta_x[kBatch], theta_y[kBatch], theta_z[kBatch], eta[kBatch];
+  Directions light, next;
+  Columns3<kBatch> normal;
+  float spare[kBatch];
 };
 
-/// Samples the BSDF and evaluates it for the light. `shape` is that of leaning surfaces.
-void shade_batch(Kind kind, const vndf::Ellipsoid& shape, const Sampling& sampling, Batch& batch);
-/// f cos and pdf of the directions wi, into weight and pdf: for mixtures.
-void evaluate_batch(const Sampling& sampling, Batch& batch);
+/// Samples the BSDF for `next`, and evaluates it for `light`.
+void shade_batch(Kind kind, const Sampling& sampling, Batch& batch);
+/// f cos and pdf of coats for the directions of `next`: for mixtures.
+void evaluate_coat(const Sampling& sampling, Batch& batch);
 
 }  // namespace wavefront

@@ -7,8 +7,7 @@ namespace wavefront {
 
 /// Unpolarised light on a conductor of index n + i k, exactly: Born and Wolf, 14.2.
 inline float conductor_fresnel(float cos, float n, float k) {
-  float c2 = cos * cos, s2 = 1.f - c2;
-  float n2 = n * n, k2 = k * k;
+  float c2 = cos * cos, s2 = 1.f - c2, n2 = n * n, k2 = k * k;
   float difference = n2 - k2 - s2;
   float root = std::sqrt(difference * difference + 4.f * n2 * k2);  // a^2 + b^2
   float twice_a_cos = 2.f * cos * std::sqrt(std::max(0.f, 0.5f * (root + difference)));

@@ -1,8 +1,8 @@
 #include "images.h"
 
+#include <filesystem>
 #include <stdexcept>
 
-#include <Iex.h>
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -16,13 +16,10 @@ namespace {
 [[noreturn]] void fail(const std::string& file, const std::string& why) {
   throw std::runtime_error(file + ": " + why);
 }
-bool ends_with(const std::string& name, const std::string& end) {
-  return name.size() >= end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
-}
 
 /// Of Vec3 pixels, whose first has the coordinates of the window's corner.
 Imf::FrameBuffer frame_buffer(Vec3* pixels, const Imath::Box2i& window) {
-  auto stride = static_cast<std::size_t>(window.max.x - window.min.x + 1) * sizeof(Vec3);
+  auto stride = static_cast<std::size_t>(window.size().x + 1) * sizeof(Vec3);
   Imf::FrameBuffer buffer;
   float* first = &pixels->x;
   for (const char* name : {"R", "G", "B"})
@@ -30,35 +27,36 @@ Imf::FrameBuffer frame_buffer(Vec3* pixels, const Imath::Box2i& window) {
   return buffer;
 }
 
-Texture read_exr(const std::string& file) {
+Texture read_exr(const std::string& file) try {
   Imf::InputFile input(file.c_str(), 1);
   if (!input.header().channels().findChannel("R")) fail(file, "has no channel R");
   auto window = input.header().dataWindow();
-  Texture t;
-  t.width = window.max.x - window.min.x + 1, t.height = window.max.y - window.min.y + 1;
+  Texture t{window.size().x + 1, window.size().y + 1, {}};
   t.texels.resize(static_cast<std::size_t>(t.width) * t.height);
   input.setFrameBuffer(frame_buffer(t.texels.data(), window));
   input.readPixels(window.min.y, window.max.y);
   return t;
+} catch (const Iex::BaseExc&) {
+  fail(file, "cannot be read as EXR");
 }
 
-png_image png_of(int width, int height, png_uint_32 format) {
+png_image png_of(std::uint32_t width, std::uint32_t height) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
-  image.width = static_cast<png_uint_32>(width), image.height = static_cast<png_uint_32>(height);
-  image.format = format;
+  image.width = width, image.height = height;
+  image.format = PNG_FORMAT_LINEAR_RGB;  // 16 bits
   return image;
 }
 
 Texture read_png(const std::string& file, bool colors) {
-  png_image image = png_of(0, 0, 0);
+  png_image image = png_of(0, 0);
   if (!png_image_begin_read_from_file(&image, file.c_str())) fail(file, image.message);
   image.format = colors ? PNG_FORMAT_LINEAR_RGB : PNG_FORMAT_RGB;  // 16 bits, or 8
+  Texture t{static_cast<int>(image.width), static_cast<int>(image.height), {}};
   std::vector<png_uint_16> words(3 * static_cast<std::size_t>(image.width) * image.height);
   if (!png_image_finish_read(&image, nullptr, words.data(), 0, nullptr)) fail(file, image.message);
   const auto* bytes = reinterpret_cast<const png_byte*>(words.data());
   auto value = [&](std::size_t i) { return colors ? words[i] / 65535.f : bytes[i] / 255.f; };
-  Texture t{static_cast<int>(image.width), static_cast<int>(image.height), {}};
   for (std::size_t i = 0; i < words.size(); i += 3) t.texels.push_back({value(i), value(i + 1), value(i + 2)});
   return t;
 }
@@ -68,38 +66,60 @@ float film_curve(float a) {
   a = std::max(0.f, a);
   return a * (a * 2.51f + 0.03f) / (a * (a * 2.43f + 0.59f) + 0.14f);  // Narkowicz 2015, a fit of ACES
 }
+
+/// The texel of a column and a row, which wrap around.
+const Vec3& texel(const Texture& t, float x, float y) {
+  int column = static_cast<int>(x) % t.width, row = static_cast<int>(y) % t.height;
+  if (column < 0) column += t.width;
+  return t.texels[static_cast<std::size_t>(row < 0 ? row + t.height : row) * t.width + column];
+}
+/// uv in texels.
+Vec2 place(const Texture& t, Vec2 uv) {
+  return {(uv.x - std::floor(uv.x)) * t.width, (1.f - (uv.y - std::floor(uv.y))) * t.height};
+}
+
 }  // namespace
 
+Vec3 Texture::nearest(Vec2 uv) const {
+  Vec2 p = place(*this, uv);
+  return texel(*this, std::floor(p.x), std::floor(p.y));
+}
+Vec3 Texture::look_up(Vec2 uv) const {
+  Vec2 p = place(*this, uv) - Vec2(0.5f), first(std::floor(p.x), std::floor(p.y)), share = p - first;
+  auto row = [&](float y) {
+    return (1.f - share.x) * texel(*this, first.x, y) + share.x * texel(*this, first.x + 1.f, y);
+  };
+  return (1.f - share.y) * row(first.y) + share.y * row(first.y + 1.f);
+}
+
 Texture read_texture(const std::string& file, bool colors) {
-  if (ends_with(file, ".png")) return read_png(file, colors);
-  if (!ends_with(file, ".exr")) fail(file, "is neither .exr nor .png");
-  try {
-    return read_exr(file);
-  } catch (const Iex::BaseExc&) {
-    fail(file, "cannot be read as EXR");
-  }
+  auto extension = std::filesystem::path(file).extension();
+  if (extension != ".png" && extension != ".exr") fail(file, "is neither .exr nor .png");
+  Texture texture = extension == ".png" ? read_png(file, colors) : read_exr(file);
+  for (const Vec3& t : texture.texels)
+    if (!std::isfinite(t.x + t.y + t.z)) fail(file, "has a texel that is not finite");
+  return texture;
 }
 
-void write_exr(const std::string& file, int width, int height, const Window& window, const std::vector<Vec3>& pixels) {
-  try {
-    Imath::Box2i data({window.x0, window.y0}, {window.x1 - 1, window.y1 - 1});
-    Imf::Header header({{0, 0}, {width - 1, height - 1}}, data);
-    header.compression() = Imf::ZIP_COMPRESSION;
-    for (const char* name : {"R", "G", "B"}) header.channels().insert(name, Imf::Channel(Imf::FLOAT));
-    Imf::OutputFile output(file.c_str(), header, 1);
-    output.setFrameBuffer(frame_buffer(const_cast<Vec3*>(pixels.data()), data));
-    output.writePixels(window.y1 - window.y0);
-  } catch (const Iex::BaseExc&) {
-    fail(file, "cannot be written");
-  }
+void write_exr(const std::string& file, int width, int height, const Window& window,
+               const std::vector<Vec3>& pixels) try {
+  Imath::Box2i data({window.x0, window.y0}, {window.x1 - 1, window.y1 - 1});
+  Imf::Header header({{0, 0}, {width - 1, height - 1}}, data);
+  header.compression() = Imf::ZIP_COMPRESSION;
+  for (const char* name : {"R", "G", "B"}) header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+  Imf::OutputFile output(file.c_str(), header, 1);
+  output.setFrameBuffer(frame_buffer(const_cast<Vec3*>(pixels.data()), data));
+  output.writePixels(window.y1 - window.y0);
+} catch (const Iex::BaseExc&) {
+  fail(file, "cannot be written");
 }
 
-void write_png(const std::string& file, const Window& window, const std::vector<Vec3>& pixels, float exposure) {
+void write_png(const std::string& file, const Window& window, const std::vector<Vec3>& pixels) {
   std::vector<png_uint_16> words;  // linear: libpng makes sRGB of them
   for (const Vec3& p : pixels)
     for (float v : {p.x, p.y, p.z})
-      words.push_back(static_cast<png_uint_16>(65535.f * std::min(1.f, film_curve(exposure * v)) + 0.5f));
-  png_image image = png_of(window.x1 - window.x0, window.y1 - window.y0, PNG_FORMAT_LINEAR_RGB);
+      words.push_back(static_cast<png_uint_16>(65535.f * std::min(1.f, film_curve(v)) + 0.5f));
+  png_image image = png_of(window.width(), window.height());
   if (!png_image_write_to_file(&image, file.c_str(), 1, words.data(), 0, nullptr)) fail(file, image.message);
 }
 

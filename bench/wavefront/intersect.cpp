@@ -7,9 +7,27 @@
 #endif
 
 #include <limits>
+#include <numeric>
+#include <stdexcept>
+
+#include <tbb/task_arena.h>
 
 namespace wavefront {
 namespace {
+
+#if RTC_VERSION_MAJOR < 4  // which has a default for them
+struct Context : RTCIntersectContext {
+  Context() { rtcInitIntersectContext(this); }
+};
+void rtcIntersect1(RTCScene tree, RTCRayHit* hit) {
+  Context context;
+  ::rtcIntersect1(tree, &context, hit);
+}
+void rtcOccluded1(RTCScene tree, RTCRay* ray) {
+  Context context;
+  ::rtcOccluded1(tree, &context, ray);
+}
+#endif
 
 RTCRay ray_of(Vec3 origin, Vec3 direction, float distance) {
   RTCRay ray{};
@@ -20,35 +38,30 @@ RTCRay ray_of(Vec3 origin, Vec3 direction, float distance) {
   return ray;
 }
 
-Surface triangle_at(const Triangle& triangle, Vec3 tangent, Vec3 origin, Vec3 direction) {
+Surface triangle_at(const Triangle& triangle, Vec3 origin, Vec3 direction) {
   // Moeller and Trumbore 1997. Barycentric coordinates are clamped: Embree's may have been inside where these are not.
   const Corner *a = &triangle.corners[0], *b = a + 1, *c = a + 2;
-  Vec3 ab = b->position - a->position, ac = c->position - a->position;
-  Vec3 p = cross(direction, ac), way = origin - a->position;
-  float determinant = dot(ab, p);
-  float inv = determinant != 0.f ? 1.f / determinant : 0.f;
-  float v = std::max(0.f, std::min(dot(way, p) * inv, 1.f));
-  float w = std::max(0.f, std::min(dot(direction, cross(way, ab)) * inv, 1.f - v));
-  Vec3 normal = normalize(cross(ab, ac));
-  Vec3 smooth = a->normal + v * (b->normal - a->normal) + w * (c->normal - a->normal);
-  float smooth2 = dot(smooth, smooth);
-  smooth = smooth2 > 1e-20f ? (1.f / std::sqrt(smooth2)) * smooth : normal;
-  if (dot(smooth, normal) < 0.f) normal = -1.f * normal;  // the normals say which side is outside, not the winding
-  return {a->position + v * ab + w * ac,
-          normal,
-          smooth,
-          tangent,
-          {a->uv.x + v * (b->uv.x - a->uv.x) + w * (c->uv.x - a->uv.x),
-           a->uv.y + v * (b->uv.y - a->uv.y) + w * (c->uv.y - a->uv.y)}};
+  Vec3 ab = triangle.edge(1), ac = triangle.edge(2), p = direction.cross(ac), way = origin - a->position;
+  float determinant = ab.dot(p), inv = determinant != 0.f ? 1.f / determinant : 0.f;
+  float v = std::max(0.f, std::min(way.dot(p) * inv, 1.f));
+  float w = std::max(0.f, std::min(direction.dot(way.cross(ab)) * inv, 1.f - v));
+  auto mixed = [&](auto at) { return at(*a) + v * (at(*b) - at(*a)) + w * (at(*c) - at(*a)); };
+  Vec3 normal = normalize(ab.cross(ac)), smooth = mixed([](const Corner&corner) { return corner.normal; });
+  smooth = smooth.dot(smooth) > 1e-20f ? normalize(smooth) : normal;
+  if (smooth.dot(normal) < 0.f) normal = -normal;  // the normals say which side is outside, not the winding
+  Vec2 uv1 = b->uv - a->uv, uv2 = c->uv - a->uv;
+  Vec3 along_u = std::copysign(1.f, uv1.cross(uv2)) * (uv2.y * ab - uv1.y * ac);
+  return {a->position + v * ab + w * ac, normal, smooth, along_u,
+          mixed([](const Corner& corner) { return corner.uv; })};
 }
 
 Surface sphere_at(const Sphere& sphere, Vec3 origin, Vec3 direction) {
   // The nearest root in front of the ray, from the point of the ray that is nearest to the middle.
   Vec3 way = sphere.center - origin;
-  float along = dot(way, direction);
+  float along = way.dot(direction);
   Vec3 off = along * direction - way;
-  float half = std::sqrt(std::max(0.f, sphere.radius * sphere.radius - dot(off, off)));
-  float inside = dot(way, way) - sphere.radius * sphere.radius;
+  float half = std::sqrt(std::max(0.f, sphere.radius * sphere.radius - off.dot(off)));
+  float inside = way.dot(way) - sphere.radius * sphere.radius;
   Vec3 normal = normalize(off + (inside < 0.f || along - half < 0.f ? half : -half) * direction);
   // Without an arc function, uv is the place on the octahedron.
   float inv = 1.f / (std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z));
@@ -61,36 +74,58 @@ Surface sphere_at(const Sphere& sphere, Vec3 origin, Vec3 direction) {
 
 }  // namespace
 
+void build_tree(Scene& scene, const std::string& configuration) {
+  std::shared_ptr<RTCDeviceTy> device(rtcNewDevice(configuration.c_str()), rtcReleaseDevice);
+  if (!device) throw std::runtime_error("Embree does not accept the configuration " + configuration);
+  scene.tree.reset(rtcNewScene(device.get()), [device](RTCScene tree) { rtcReleaseScene(tree); });
+  rtcSetSceneFlags(scene.tree.get(), RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneBuildQuality(scene.tree.get(), RTC_BUILD_QUALITY_HIGH);
+  RTCGeometry triangles = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+  std::size_t corners = 3 * scene.triangles.size();
+  auto* indices = static_cast<unsigned*>(
+      rtcSetNewGeometryBuffer(triangles, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, scene.triangles.size()));
+  std::iota(indices, indices + corners, 0u);
+  auto* positions = static_cast<Vec3*>(
+      rtcSetNewGeometryBuffer(triangles, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3), corners));
+  for (const Triangle& t : scene.triangles)
+    for (const Corner& corner : t.corners) *positions++ = corner.position;
+  RTCGeometry spheres = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_SPHERE_POINT);
+  auto* balls = static_cast<Imath::V4f*>(rtcSetNewGeometryBuffer(spheres, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4,
+                                                                 sizeof(Imath::V4f), scene.spheres.size()));
+  for (const Sphere& sphere : scene.spheres)
+    *balls++ = Imath::V4f(sphere.center.x, sphere.center.y, sphere.center.z, sphere.radius);
+  for (RTCGeometry geometry : {triangles, spheres}) {  // they get the numbers 0 and 1
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene.tree.get(), geometry);
+    rtcReleaseGeometry(geometry);
+  }
+  // By one thread: the tree, and with it which of two triangles a ray through their edge meets, must not depend on how
+  // many there are.
+  tbb::task_arena(1).execute([&] { rtcCommitScene(scene.tree.get()); });
+  RTCBounds box;
+  rtcGetSceneBounds(scene.tree.get(), &box);
+  scene.epsilon =
+      0x1p-17f * Vec3(box.upper_x - box.lower_x, box.upper_y - box.lower_y, box.upper_z - box.lower_z).length();
+}
+
 Primitive intersect(const Scene& scene, Vec3 origin, Vec3 direction) {
   RTCRayHit hit{};
   hit.ray = ray_of(origin, direction, std::numeric_limits<float>::infinity());
   hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-#if RTC_VERSION_MAJOR >= 4
-  rtcIntersect1(scene.tree.get(), &hit, nullptr);
-#else
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcIntersect1(scene.tree.get(), &context, &hit);
-#endif
+  rtcIntersect1(scene.tree.get(), &hit);
   if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return kNothing;
   return hit.hit.primID + (hit.hit.geomID == 1 ? static_cast<Primitive>(scene.triangles.size()) : 0u);
 }
 
 bool occluded(const Scene& scene, Vec3 origin, Vec3 direction, float distance) {
   RTCRay ray = ray_of(origin, direction, distance);
-#if RTC_VERSION_MAJOR >= 4
-  rtcOccluded1(scene.tree.get(), &ray, nullptr);
-#else
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcOccluded1(scene.tree.get(), &context, &ray);
-#endif
+  rtcOccluded1(scene.tree.get(), &ray);
   return ray.tfar < 0.f;
 }
 
 Surface surface_at(const Scene& scene, Primitive primitive, Vec3 origin, Vec3 direction) {
   std::size_t triangles = scene.triangles.size();
-  return primitive < triangles ? triangle_at(scene.triangles[primitive], scene.tangents[primitive], origin, direction)
+  return primitive < triangles ? triangle_at(scene.triangles[primitive], origin, direction)
                                : sphere_at(scene.spheres[primitive - triangles], origin, direction);
 }
 

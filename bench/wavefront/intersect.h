@@ -3,10 +3,12 @@
 // is kept.
 #pragma once
 
-#include "queues.h"
+#include "scene.h"
 
 namespace wavefront {
 
+/// `device` is Embree's configuration.
+void build_tree(Scene& scene, const std::string& device);
 Primitive intersect(const Scene& scene, Vec3 origin, Vec3 direction);
 bool occluded(const Scene& scene, Vec3 origin, Vec3 direction, float distance);
 

@@ -1,6 +1,5 @@
 #include "render.h"
 
-#include <array>
 #include <chrono>
 #include <mutex>
 
@@ -16,35 +15,18 @@ namespace {
 constexpr int kTile = 32;
 constexpr std::uint32_t kSamplesAtOnce = kSlots / (kTile * kTile);
 
-struct Film {
-  Window crop;
-  std::vector<std::array<double, 3>> sums;
-  std::vector<std::uint32_t> counts;
+/// Sums of radiance, and in `w` how many there are.
+using Film = std::vector<Imath::V4d>;
 
-  explicit Film(const Window& window) : crop(window) {
-    std::size_t pixels = static_cast<std::size_t>(crop.x1 - crop.x0) * (crop.y1 - crop.y0);
-    sums.resize(pixels), counts.resize(pixels);
-  }
-  /// Sample after sample, whatever ran first: the order, and so the sum, is always the same.
-  void add(const Block& block, const Columns3& radiance) {
-    std::uint32_t slot = 0;
-    for (std::uint32_t sample = block.first; sample < block.last; ++sample)
-      for (int y = block.y0; y < block.y1; ++y)
-        for (int x = block.x0; x < block.x1; ++x, ++slot) {
-          std::size_t pixel = static_cast<std::size_t>(y - crop.y0) * (crop.x1 - crop.x0) + (x - crop.x0);
-          sums[pixel][0] += radiance.x[slot], sums[pixel][1] += radiance.y[slot], sums[pixel][2] += radiance.z[slot];
-          ++counts[pixel];
-        }
-  }
-  std::vector<Vec3> means() const {
-    std::vector<Vec3> pixels;
-    for (std::size_t i = 0; i < sums.size(); ++i) {
-      auto mean = [&](double sum) { return counts[i] > 0 ? static_cast<float>(sum / counts[i]) : 0.f; };
-      pixels.push_back({mean(sums[i][0]), mean(sums[i][1]), mean(sums[i][2])});
-    }
-    return pixels;
-  }
-};
+/// Sample after sample, whatever ran first: the order, and so the sum, is always the same.
+void add(const Window& crop, const Block& block, const Columns3<kSlots>& radiance, Film& film) {
+  std::uint32_t slot = 0;
+  for (std::uint32_t sample = block.first; sample < block.last; ++sample)
+    for (int y = block.window.y0; y < block.window.y1; ++y)
+      for (int x = block.window.x0; x < block.window.x1; ++x, ++slot)
+        film[(y - crop.y0) * std::size_t(crop.width()) + (x - crop.x0)] +=
+            Imath::V4d(radiance.x[slot], radiance.y[slot], radiance.z[slot], 1.);
+}
 
 }  // namespace
 
@@ -53,46 +35,43 @@ Picture render(const Scene& scene, const Task& task, const std::atomic<bool>& st
   using Time = std::chrono::steady_clock;
   auto begin = Time::now();
   auto seconds = [&] { return std::chrono::duration<double>(Time::now() - begin).count(); };
-  Film film(task.crop);
+  const Window& crop = task.crop;
+  Film film(crop.pixels(), Imath::V4d(0.));
   tbb::enumerable_thread_specific<std::unique_ptr<Worker>> workers([] { return std::make_unique<Worker>(); });
   std::atomic<bool> ended{false};
   std::mutex telling;
-  double done = 0., all = static_cast<double>(film.sums.size()) * (task.last_sample - task.first_sample);
+  double done = 0., all = static_cast<double>(crop.pixels()) * (task.last_sample - task.first_sample);
   auto run = [&](const Block& block) {
     if (stop || (task.time_limit > 0. && seconds() > task.time_limit)) ended = true;
     if (ended) return;
     Worker& worker = *workers.local();
-    trace(scene, task.settings, block, worker);
-    film.add(block, worker.radiance);  // no other thread has this tile now
-    worker.clock.lap(worker.statistics, Stage::accumulate);
+    trace(scene, task, block, worker);
+    add(crop, block, worker.slots.radiance, film);  // no other thread has this tile now
+    worker.lap(Figure::accumulate);
     std::lock_guard<std::mutex> lock(telling);
-    done += (block.x1 - block.x0) * (block.y1 - block.y0) * static_cast<double>(block.last - block.first);
+    done += block.paths();
     progress(done / all);
   };
-  int threads = task.threads > 0 ? task.threads : tbb::this_task_arena::max_concurrency();
-  tbb::global_control control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-  tbb::blocked_range2d<int> tiles(task.crop.y0, task.crop.y1, kTile, task.crop.x0, task.crop.x1, kTile);
-  tbb::task_arena(threads).execute([&] {
+  tbb::task_arena arena(task.threads > 0 ? task.threads : tbb::task_arena::automatic);
+  tbb::global_control control(tbb::global_control::max_allowed_parallelism, arena.max_concurrency());
+  tbb::blocked_range2d<int> tiles(crop.y0, crop.y1, kTile, crop.x0, crop.x1, kTile);
+  arena.execute([&] {
     // A few samples of all tiles before more of any: what is interrupted is a picture too.
     for (std::uint32_t first = task.first_sample, last; first < task.last_sample && !ended; first = last) {
       last = std::min(first + kSamplesAtOnce, task.last_sample);
-      tbb::parallel_for(
-          tiles,
-          [&](const auto& tile) {
-            const auto &x = tile.cols(), &y = tile.rows();
-            run({x.begin(), y.begin(), x.end(), y.end(), first, last});
-          },
-          tbb::simple_partitioner());
+      auto run_tile = [&](const tbb::blocked_range2d<int>& tile) {
+        const auto &x = tile.cols(), &y = tile.rows();
+        run({{x.begin(), y.begin(), x.end(), y.end()}, first, last});
+      };
+      tbb::parallel_for(tiles, run_tile, tbb::simple_partitioner());
     }
   });
 
-  Picture picture{film.means(), {}, seconds(), !ended};
-  for (const auto& worker : workers) {
-    const Statistics& s = worker->statistics;
-    for (int i = 0; i < kStages; ++i) picture.statistics.seconds[i] += s.seconds[i];
-    picture.statistics.paths += s.paths, picture.statistics.vertices += s.vertices;
-    picture.statistics.shaded_by_library += s.shaded_by_library, picture.statistics.shadow_rays += s.shadow_rays;
-  }
+  Picture picture{{}, {}, seconds(), !ended};
+  for (const Imath::V4d& sum : film)
+    picture.pixels.push_back(Vec3(Imath::V3d(sum.x, sum.y, sum.z) / std::max(sum.w, 1.)));
+  for (const auto& worker : workers)
+    for (std::size_t i = 0; i < std::size(kFigures); ++i) picture.statistics[i] += worker->statistics[i];
   return picture;
 }
 

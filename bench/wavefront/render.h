@@ -4,21 +4,13 @@
 #include <atomic>
 #include <functional>
 
-#include "images.h"
-#include "worker.h"
+#include "queues.h"
 
 namespace wavefront {
 
-struct Task {
-  Settings settings;
-  Window crop;
-  std::uint32_t first_sample = 0, last_sample = 64;
-  int threads = 0;         // 0: as many as there are
-  double time_limit = 0.;  // in seconds, 0: none
-};
 struct Picture {
   std::vector<Vec3> pixels;  // of the crop: means
-  Statistics statistics;     // seconds are those of all threads together
+  Statistics statistics;     // of all threads together
   double seconds = 0.;
   bool complete = true;  // else the time or the patience ended
 };

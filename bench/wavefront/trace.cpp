@@ -1,13 +1,11 @@
 // The wave: camera -> intersect -> bin -> shade -> shadow rays, until no path of the block lives. Dead paths leave room
 // that new camera rays fill, so that queues stay long.
-#include "lights.h"
+#include "intersect.h"
+#include "queues.h"
 #include "sobol.h"
-#include "worker.h"
 
 namespace wavefront {
 namespace {
-
-constexpr int kMostBins = 64;
 
 /// The tent of width 2 that a pixel weighs its surroundings with.
 float tent(float u) {
@@ -15,94 +13,89 @@ float tent(float u) {
 }
 
 struct View {
-  Vec3 from, right, down, corner;  // on a plane at distance 1; right and down are of one pixel
+  Frame frame;
+  float pixel;  // its width, on a plane at distance 1
 };
-View view_of(const Camera& camera, int width, int height) {
+View view_of(const Camera& camera, int width) {
   Vec3 ahead = normalize(camera.at - camera.from);
-  auto [right, down, forward] = frame_of(ahead, cross(ahead, {0.f, 1.f, 0.f}));
   // Rounded, as machines differ in the last bits of a tangent.
   double half = std::tan(double(camera.fov) * (3.14159265358979 / 360));
-  float pixel = 2.f * static_cast<float>(std::floor(half * 0x1p20 + 0.5) * 0x1p-20) / static_cast<float>(width);
-  Vec3 corner = forward - (0.5f * width * pixel) * right - (0.5f * height * pixel) * down;
-  return {camera.from, pixel * right, pixel * down, corner};
+  float rounded = static_cast<float>(std::floor(half * 0x1p20 + 0.5) * 0x1p-20);
+  return {frame_of(ahead, ahead.cross({0.f, 1.f, 0.f})), 2.f * rounded / static_cast<float>(width)};
 }
 
-/// Paths number `begin` and on of the block, as many as there is room for.
-std::uint32_t start_paths(const Settings& settings, const View& view, const Block& block, std::uint32_t begin,
-                          std::uint32_t end, Worker& w) {
-  Paths& paths = w.paths;
-  std::uint32_t width = block.x1 - block.x0, pixels = width * (block.y1 - block.y0), slot = begin;
-  for (; slot < end && paths.count < kCapacity; ++slot, ++paths.count) {
-    std::uint32_t p = paths.count, pixel = slot % pixels;
-    std::uint32_t x = block.x0 + pixel % width, y = block.y0 + pixel / width;
-    paths.slot[p] = slot;
-    paths.seed[p] = pixel_seed(x, y, settings.seed);
-    paths.sample[p] = reversed(block.first + slot / pixels);
-    paths.depth[p] = 0;
-    paths.pdf[p] = 0x1p60f;  // no light was sampled for it
-    Random4 r = random4(paths.sample[p], paths.seed[p], 0);
-    Vec3 right = (static_cast<float>(x) + 0.5f + tent(r.x[0])) * view.right;
-    Vec3 down = (static_cast<float>(y) + 0.5f + tent(r.x[1])) * view.down;
-    paths.origin.set(p, view.from);
-    paths.direction.set(p, normalize(view.corner + right + down));
-    paths.throughput.set(p, {1.f, 1.f, 1.f});
-    w.radiance.set(slot, {0.f, 0.f, 0.f});
-  }
-  w.statistics.paths += slot - begin;
-  return slot;
+/// The path of a slot, at the end of the queue.
+void start_path(const Scene& scene, const Task& task, const View& view, const Block& block, std::uint32_t slot,
+                Worker& w) {
+  Paths& paths = *w.paths;
+  std::uint32_t width = block.window.width(), pixels = width * block.window.height(), pixel = slot % pixels;
+  std::uint32_t x = block.window.x0 + pixel % width, y = block.window.y0 + pixel / width, p = paths.count++;
+  w.slots.seed[slot] = mixed(x ^ mixed(y ^ mixed(task.seed)));
+  w.slots.sample[slot] = reversed_bits(block.first + slot / pixels);
+  w.slots.radiance.set(slot, Vec3(0.f));
+  Random4 r = random4(w.slots.sample[slot], w.slots.seed[slot], 0);
+  float right = static_cast<float>(x) + 0.5f + tent(r.x[0]) - 0.5f * static_cast<float>(task.width);
+  float down = static_cast<float>(y) + 0.5f + tent(r.x[1]) - 0.5f * static_cast<float>(task.height);
+  paths.origin.set(p, scene.camera.from);
+  paths.direction.set(p, normalize(view.frame.to_world({view.pixel * right, view.pixel * down, 1.f})));
+  paths.throughput.set(p, Vec3(1.f));
+  paths.pdf[p] = 0x1p60f;  // no light was sampled for it
+  paths.slot[p] = slot, paths.depth[p] = 0;
+  ++w.statistics[Figure::paths];
 }
 
-/// Counts the bins, lights what escaped, and puts the rest into the order of bins. starts[b] is where bin b begins.
-void bin_hits(const Scene& scene, const Settings& settings, Worker& w, std::uint32_t (&starts)[kMostBins + 1]) {
-  std::fill(std::begin(starts), std::end(starts), 0u);
-  for (std::uint32_t p = 0; p < w.paths.count; ++p) {
-    Primitive primitive = w.hits.primitive[p];
-    if (primitive == kNothing) {
-      Vec3 light = escaped_light(scene, w.paths.direction.get(p), w.paths.pdf[p], settings.mis);
-      w.radiance.add(w.paths.slot[p], w.paths.throughput.get(p) * light);
-      continue;
+/// Lights what escaped, and puts the rest into the order of kinds: kind k is between starts[k] and starts[k + 1].
+using Starts = std::array<std::uint32_t, kKinds + 1>;
+Starts bin_hits(const Scene& scene, const Task& task, Worker& w) {
+  const Paths& paths = *w.paths;
+  auto kind = [&](std::uint32_t p) { return static_cast<std::size_t>(scene.material_of(w.hits.primitive[p]).kind); };
+  Starts starts{}, at;
+  for (std::uint32_t p = 0; p < paths.count; ++p)
+    if (w.hits.primitive[p] == kNothing) {
+      LightSample sky = sky_at(scene, paths.direction.get(p));
+      float weight = task.mis ? mis_weight(paths.pdf[p], sky.pdf) : 1.f;
+      w.slots.radiance.add(paths.slot[p], weight * (paths.throughput.get(p) * sky.radiance));
+    } else {
+      ++starts[kind(p) + 1];
     }
-    w.hits.bin[p] = static_cast<std::uint16_t>(scene.materials[scene.material_of(primitive)].bin);
-    ++starts[w.hits.bin[p] + 1];
-  }
-  for (int b = 0; b < kMostBins; ++b) starts[b + 1] += starts[b];
-  std::uint32_t at[kMostBins];
-  std::copy(starts, starts + kMostBins, at);
-  for (std::uint32_t p = 0; p < w.paths.count; ++p)
-    if (w.hits.primitive[p] != kNothing) w.hits.order[at[w.hits.bin[p]]++] = p;
+  for (std::size_t k = 0; k < kKinds; ++k) starts[k + 1] += starts[k];
+  at = starts;
+  for (std::uint32_t p = 0; p < paths.count; ++p)
+    if (w.hits.primitive[p] != kNothing) w.hits.order[at[kind(p)]++] = p;
+  return starts;
 }
 
 }  // namespace
 
-void trace(const Scene& scene, const Settings& settings, const Block& block, Worker& w) {
-  View view = view_of(scene.camera, settings.width, settings.height);
-  std::uint32_t total = (block.x1 - block.x0) * (block.y1 - block.y0) * (block.last - block.first), started = 0;
-  w.paths.count = 0;
-  w.clock = Clock();
+void trace(const Scene& scene, const Task& task, const Block& block, Worker& w) {
+  View view = view_of(scene.camera, task.width);
+  std::uint32_t slots = block.paths(), slot = 0;
+  w.paths->count = 0;
+  w.clock = Worker::seconds();
   while (true) {
-    started = start_paths(settings, view, block, started, total, w);
-    w.clock.lap(w.statistics, Stage::camera);
-    if (w.paths.count == 0) return;
+    while (slot < slots && w.paths->count < kCapacity) start_path(scene, task, view, block, slot++, w);
+    w.lap(Figure::camera);
+    if (w.paths->count == 0) return;
 
-    for (std::uint32_t p = 0; p < w.paths.count; ++p)
-      w.hits.primitive[p] = intersect(scene, w.paths.origin.get(p), w.paths.direction.get(p));
-    w.clock.lap(w.statistics, Stage::intersect);
+    for (std::uint32_t p = 0; p < w.paths->count; ++p)
+      w.hits.primitive[p] = intersect(scene, w.paths->origin.get(p), w.paths->direction.get(p));
+    w.lap(Figure::intersect);
 
-    std::uint32_t starts[kMostBins + 1];
-    bin_hits(scene, settings, w, starts);
-    w.clock.lap(w.statistics, Stage::bin);
+    Starts starts = bin_hits(scene, task, w);
+    w.lap(Figure::bin);
 
-    w.next.count = w.shadows.count = 0;
-    for (std::size_t b = 0; b < scene.bins.size(); ++b)
-      for (std::uint32_t first = starts[b]; first < starts[b + 1]; first += kBatch)
-        shade(scene, settings, scene.bins[b], first, std::min(first + kBatch, starts[b + 1]), w);
+    w.next->count = w.shadows.count = 0;
+    for (std::size_t k = 0; k < kKinds; ++k)
+      for (std::uint32_t first = starts[k]; first < starts[k + 1]; first += kBatch)
+        shade(scene, task, static_cast<Kind>(k), first, std::min(first + kBatch, starts[k + 1]), w);
 
-    for (std::uint32_t s = 0; s < w.shadows.count; ++s)
-      if (!occluded(scene, w.shadows.origin.get(s), w.shadows.direction.get(s), w.shadows.distance[s]))
-        w.radiance.add(w.shadows.slot[s], w.shadows.radiance.get(s));
-    w.statistics.shadow_rays += w.shadows.count;
+    const ShadowRays& shadows = w.shadows;
+    for (std::uint32_t s = 0; s < shadows.count; ++s)
+      if (!occluded(scene, shadows.origin.get(s), shadows.direction.get(s), shadows.distance[s]))
+        w.slots.radiance.add(shadows.slot[s], shadows.radiance.get(s));
+    w.statistics[Figure::rays] += shadows.count;
     std::swap(w.paths, w.next);
-    w.clock.lap(w.statistics, Stage::shadow);
+    w.lap(Figure::shadow);
   }
 }
 

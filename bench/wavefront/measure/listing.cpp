@@ -6,7 +6,7 @@
 namespace wavefront {
 
 // bsdf.cpp under another name: see CMakeLists.txt.
-void library_shade_batch(Kind kind, const vndf::Ellipsoid& shape, const Sampling& sampling, Batch& batch);
+void library_shade_batch(Kind kind, const Sampling& sampling, Batch& batch);
 
 namespace {
 
@@ -18,7 +18,7 @@ Vec3 sample_normal(Vec3 wo, Alpha alpha, float u1, float u2) {
   Vec3 vh = normalize({alpha.x * wo.x, alpha.y * wo.y, wo.z});
   float lensq = vh.x * vh.x + vh.y * vh.y;
   Vec3 t1_axis = lensq > 0.f ? (1.f / std::sqrt(lensq)) * Vec3{-vh.y, vh.x, 0.f} : Vec3{1.f, 0.f, 0.f};
-  Vec3 t2_axis = cross(vh, t1_axis);
+  Vec3 t2_axis = vh.cross(t1_axis);
   float r = std::sqrt(u1), phi = 2.f * kPi * u2;
   float t1 = r * std::cos(phi), t2 = r * std::sin(phi), s = 0.5f * (1.f + vh.z);
   t2 = (1.f - s) * std::sqrt(1.f - t1 * t1) + s * t2;
@@ -35,7 +35,7 @@ float lambda(Vec3 w, Alpha alpha) {
   return 0.5f * (std::sqrt(1.f + (x * x + y * y) / (w.z * w.z)) - 1.f);
 }
 float visible_density(Vec3 wo, Vec3 m, Alpha alpha) {
-  return std::max(0.f, dot(wo, m)) * distribution(m, alpha) / ((1.f + lambda(wo, alpha)) * wo.z);
+  return std::max(0.f, wo.dot(m)) * distribution(m, alpha) / ((1.f + lambda(wo, alpha)) * wo.z);
 }
 
 struct Value {
@@ -59,7 +59,7 @@ Value through(Vec3 wo, Vec3 wi, Alpha alpha, float eta) {
   bool reflects = wi.z >= 0.f;
   Vec3 h = normalize(reflects ? wo + wi : wo + eta * wi);
   if (h.z < 0.f) h = -1.f * h;
-  float c = dot(wo, h), ci = dot(wi, h);
+  float c = wo.dot(h), ci = wi.dot(h);
   if (c <= 0.f || (ci < 0.f) == reflects) return {0.f, 0.f};
   float f = reflectance(c, eta), lambda_o = lambda(wo, alpha);
   float root = c + eta * ci, jacobian = reflects ? 1.f / (4.f * c) : eta * eta * std::abs(ci) / (root * root);
@@ -76,13 +76,13 @@ void metal(Kind kind, Batch& b, std::uint32_t i) {
   float up = b.wo.z[i] < 0.f ? -1.f : 1.f;  // two-sided
   auto turned = [&](Vec3 v) { return Vec3{c * v.x - s * v.y, s * v.x + c * v.y, up * v.z}; };
   Vec3 wo = turned(b.wo.get(i)), wm = sample_normal(wo, alpha, b.u.x[i], b.u.y[i]);
-  b.cosine[i] = dot(wo, wm);
-  Vec3 wi = 2.f * b.cosine[i] * wm - wo;
+  b.next.cosine[i] = wo.dot(wm);
+  Vec3 wi = 2.f * b.next.cosine[i] * wm - wo;
   Value v = reflected(wo, wi, alpha);
-  b.pdf[i] = v.pdf, b.weight[i] = v.pdf > 0.f ? v.f_cos / v.pdf : 0.f;
-  b.wi.set(i, {c * wi.x + s * wi.y, c * wi.y - s * wi.x, up * wi.z});
-  v = reflected(wo, turned(b.light.get(i)), alpha);
-  b.light_f_cos[i] = v.f_cos, b.light_pdf[i] = v.pdf;
+  b.next.pdf[i] = v.pdf, b.next.value[i] = v.pdf > 0.f ? v.f_cos / v.pdf : 0.f;
+  b.next.w.set(i, {c * wi.x + s * wi.y, c * wi.y - s * wi.x, up * wi.z});
+  v = reflected(wo, turned(b.light.w.get(i)), alpha);
+  b.light.value[i] = v.f_cos, b.light.pdf[i] = v.pdf;
 }
 
 void glass(Batch& b, std::uint32_t i) {
@@ -90,38 +90,39 @@ void glass(Batch& b, std::uint32_t i) {
   float up = b.wo.z[i] < 0.f ? -1.f : 1.f, eta = up < 0.f ? 1.f / b.eta[i] : b.eta[i];
   auto mirrored = [&](Vec3 v) { return Vec3{v.x, v.y, up * v.z}; };
   Vec3 wo = mirrored(b.wo.get(i)), wm = sample_normal(wo, alpha, b.u.x[i], b.u.y[i]);
-  float c = dot(wo, wm);
+  float c = wo.dot(wm);
   bool reflects = b.u.z[i] < reflectance(c, eta);
   float g = std::sqrt(std::max(0.f, eta * eta - 1.f + c * c));
   Vec3 wi = reflects ? 2.f * c * wm - wo : (1.f / eta) * ((c - g) * wm - wo);
   Value v = (wi.z > 0.f) == reflects ? through(wo, wi, alpha, eta) : Value{0.f, 0.f};
-  b.pdf[i] = v.pdf, b.weight[i] = v.pdf > 0.f ? v.f_cos / v.pdf : 0.f, b.side[i] = reflects ? 1.f : -1.f;
-  b.wi.set(i, mirrored(wi));
-  v = through(wo, mirrored(b.light.get(i)), alpha, eta);
-  b.light_f_cos[i] = v.f_cos, b.light_pdf[i] = v.pdf;
+  b.next.pdf[i] = v.pdf, b.next.value[i] = v.pdf > 0.f ? v.f_cos / v.pdf : 0.f;
+  b.next.w.set(i, mirrored(wi));
+  v = through(wo, mirrored(b.light.w.get(i)), alpha, eta);
+  b.light.value[i] = v.f_cos, b.light.pdf[i] = v.pdf;
 }
 
 }  // namespace
 
-void shade_batch(Kind kind, const vndf::Ellipsoid& shape, const Sampling& sampling, Batch& b) {
-  if (kind == Kind::leaning) return library_shade_batch(kind, shape, sampling, b);
+void shade_batch(Kind kind, const Sampling& sampling, Batch& b) {
+  if (kind == Kind::diffuse) return;
+  if (kind == Kind::leaning) return library_shade_batch(kind, sampling, b);
   for (std::uint32_t i = 0; i < b.count; ++i) {
     if (kind == Kind::dielectric)
       glass(b, i);
     else
       metal(kind, b, i);
-    b.light_cosine[i] = std::min(1.f, 0.5f * length(b.wo.get(i) + b.light.get(i)));
+    b.light.cosine[i] = std::min(1.f, 0.5f * (b.wo.get(i) + b.light.w.get(i)).length());
   }
 }
 
-void evaluate_batch(const Sampling&, Batch& b) {
+void evaluate_coat(const Sampling&, Batch& b) {
   for (std::uint32_t i = 0; i < b.count; ++i) {
     float up = b.wo.z[i] < 0.f ? -1.f : 1.f;
-    Vec3 wo = b.wo.get(i), wi = b.wi.get(i);
+    Vec3 wo = b.wo.get(i), wi = b.next.w.get(i);
     wo.z *= up, wi.z *= up;
     Value v = reflected(wo, wi, {b.alpha_x[i], b.alpha_y[i]});
-    b.weight[i] = v.f_cos, b.pdf[i] = v.pdf;
-    b.cosine[i] = std::min(1.f, 0.5f * length(wo + wi));
+    b.next.value[i] = v.f_cos, b.next.pdf[i] = v.pdf;
+    b.next.cosine[i] = std::min(1.f, 0.5f * (wo + wi).length());
   }
 }
 

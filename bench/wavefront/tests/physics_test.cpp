@@ -1,7 +1,7 @@
 // Whether the renderer is right: against quadrature, and against itself by other ways of sampling.
 #include <gtest/gtest.h>
 
-#include "environment.h"
+#include "intersect.h"
 #include "render.h"
 
 namespace {
@@ -20,18 +20,20 @@ int add_material(Scene& scene, const Material& material) {
   scene.materials.push_back(material);
   return static_cast<int>(scene.materials.size()) - 1;
 }
+void finish(Scene& scene) {
+  list_lights(scene);
+  build_tree(scene, "");
+}
 /// The plane y = 0, 40 wide, lit and seen from above.
 void add_plane(Scene& scene, const Material& material) {
   int number = add_material(scene, material);
   Vec3 up{0.f, 1.f, 0.f};
   Corner a{{-20.f, 0.f, 20.f}, up, {0, 0}}, b{{20.f, 0.f, 20.f}, up, {1, 0}}, c{{20.f, 0.f, -20.f}, up, {1, 1}},
       d{{-20.f, 0.f, -20.f}, up, {0, 1}};
-  scene.triangles.insert(scene.triangles.end(), {Triangle{{a, b, c}}, Triangle{{a, c, d}}});
-  scene.materials_of_triangles.insert(scene.materials_of_triangles.end(), 2, number);
+  scene.triangles.insert(scene.triangles.end(), {Triangle{{a, b, c}, number}, Triangle{{a, c, d}, number}});
 }
-void add_sphere(Scene& scene, Sphere sphere, const Material& material) {
-  scene.spheres.push_back(sphere);
-  scene.materials_of_spheres.push_back(add_material(scene, material));
+void add_sphere(Scene& scene, Vec3 center, float radius, const Material& material) {
+  scene.spheres.push_back({center, radius, add_material(scene, material)});
 }
 /// A camera far away that sees the origin of the plane under `cos`, and little else: all its views are nearly one.
 void look(Scene& scene, float cos) {
@@ -50,7 +52,7 @@ Material white_metal(float alpha_x, float alpha_y) {
 
 Task task_of(int samples) {
   Task task;
-  task.settings.width = task.settings.height = kSize;
+  task.width = task.height = kSize;
   task.crop = {0, 0, kSize, kSize};
   task.last_sample = static_cast<std::uint32_t>(samples);
   return task;
@@ -103,9 +105,9 @@ TEST(Furnace, MetalShowsItsAlbedo) {
         add_plane(scene, white_metal(alpha, 0.5f * alpha));
         scene.environment = uniform_sky({1.f, 1.f, 1.f});
         look(scene, cos);
-        scene.finish("");
+        finish(scene);
         Task task = task_of(64);
-        task.settings.mis = mis;
+        task.mis = mis;
         Estimate seen = estimate(picture(scene, task));
         EXPECT_NEAR(seen.mean, albedo(cos, alpha, 0.5f * alpha), 3 * seen.error + 2e-4)
             << "alpha " << alpha << ", cos " << cos << ", mis " << mis;
@@ -119,17 +121,16 @@ TEST(Furnace, GlassOfNoIndexVanishes) {
   glass.alpha_x = glass.alpha_y = 0.5f;
   glass.eta = 1.f;
   glass.color = {1.f, 1.f, 1.f};
-  add_sphere(scene, {{0.f, 0.f, 0.f}, 1.f}, glass);
+  add_sphere(scene, {0.f, 0.f, 0.f}, 1.f, glass);
   scene.environment = make_environment(64, [](Vec3 d) { return Vec3{0.5f + 0.5f * d.x, 0.25f, 1.f}; });
   scene.camera.from = {0.f, 0.f, 3.f};
   scene.camera.fov = 30.f;
-  scene.finish("");
+  finish(scene);
   auto with = picture(scene, task_of(4));
   scene.camera.from = {0.f, 0.f, 3.f};
   Scene empty = scene;
   empty.spheres[0].center = {1000.f, 0.f, 0.f};
-  empty.bins.clear(), empty.lights.clear(), empty.light_sums.clear(), empty.tangents.clear();
-  empty.finish("");
+  finish(empty);
   auto without = picture(empty, task_of(4));
   for (std::size_t i = 0; i < with.size(); ++i) ASSERT_NEAR(with[i].x, without[i].x, 0.02f) << i;  // a texel of the sky
   EXPECT_NEAR(estimate(with).mean, estimate(without).mean, 1e-4);
@@ -141,11 +142,11 @@ TEST(Furnace, GlassKeepsEnergy) {
   glass.kind = Kind::dielectric;
   glass.alpha_x = glass.alpha_y = 0.05f;
   glass.color = {1.f, 1.f, 1.f};
-  add_sphere(scene, {{0.f, 0.f, 0.f}, 1.f}, glass);
+  add_sphere(scene, {0.f, 0.f, 0.f}, 1.f, glass);
   scene.environment = uniform_sky({1.f, 1.f, 1.f});
   scene.camera.from = {0.f, 0.f, 3.f};
   scene.camera.fov = 15.f;
-  scene.finish("");
+  finish(scene);
   Estimate seen = estimate(picture(scene, task_of(64)));
   EXPECT_LT(seen.mean, 1.0 + 3 * seen.error);
   EXPECT_GT(seen.mean, 0.97);  // what is lost is multiple scattering, little at this roughness
@@ -158,15 +159,15 @@ TEST(Furnace, GlassCondensesRadiance) {
   glass.alpha_x = glass.alpha_y = 0.05f;
   glass.color = {1.f, 1.f, 1.f};
   light.emission = {1.f, 1.f, 1.f};
-  add_sphere(scene, {{0.f, 0.f, 0.f}, 1.f}, glass);
-  add_sphere(scene, {{0.f, 0.f, 0.f}, 0.9f}, light);
+  add_sphere(scene, {0.f, 0.f, 0.f}, 1.f, glass);
+  add_sphere(scene, {0.f, 0.f, 0.f}, 0.9f, light);
   look(scene, 1.f);
-  scene.finish("");
+  finish(scene);
   // Seen along the normal: what Fresnel lets out, less by the square of the index.
   double exact = 0.96 / (1.5 * 1.5);
   for (bool mis : {true, false}) {
     Task task = task_of(64);
-    task.settings.mis = mis;
+    task.mis = mis;
     Estimate seen = estimate(picture(scene, task));
     EXPECT_NEAR(seen.mean, exact, 3 * seen.error + 1e-3) << "mis " << mis;
   }
@@ -178,7 +179,7 @@ TEST(TwoSided, FromBelowAsFromAbove) {
     for (Sampler sampler : {Sampler::vndf, Sampler::bounded, Sampler::ndf}) {
       double means[2];
       Task task = task_of(64);
-      task.settings.sampling.sampler = sampler;
+      task.sampling.sampler = sampler;
       for (float up : {1.f, -1.f}) {
         Material sheet = white_metal(0.6f, 0.1f), light;
         sheet.kind = kind;
@@ -186,10 +187,10 @@ TEST(TwoSided, FromBelowAsFromAbove) {
         light.emission = {2.f, 2.f, 2.f};
         Scene scene;
         add_plane(scene, sheet);
-        add_sphere(scene, {{1.f, up * 3.f, 2.f}, 1.f}, light);
+        add_sphere(scene, {1.f, up * 3.f, 2.f}, 1.f, light);
         look(scene, 0.7f);
         scene.camera.from.y *= up;
-        scene.finish("");
+        finish(scene);
         means[up < 0.f] = estimate(picture(scene, task)).mean;
       }
       EXPECT_GT(means[0], 0.01);
@@ -204,15 +205,15 @@ TEST(Direct, SphereLightOnAPlane) {
   light.emission = {2.f, 2.f, 2.f};
   add_plane(scene, white);
   const double radius = 0.5, height = 2.0, away = 1.5;
-  add_sphere(scene, {{-1.5f, 2.f, 0.f}, 0.5f}, light);
+  add_sphere(scene, {-1.5f, 2.f, 0.f}, 0.5f, light);
   look(scene, 0.9f);
-  scene.finish("");
+  finish(scene);
   // Of a sphere that is above the horizon as a whole, the irradiance is pi L sin^2 cos.
   double d2 = height * height + away * away;
   double exact = 2.0 * (radius * radius / d2) * (height / std::sqrt(d2));
   for (bool mis : {true, false}) {
     Task task = task_of(mis ? 16 : 256);
-    task.settings.mis = mis;
+    task.mis = mis;
     Estimate seen = estimate(picture(scene, task));
     EXPECT_NEAR(seen.mean, exact, 3 * seen.error + 1e-5) << "mis " << mis;
   }
@@ -228,23 +229,23 @@ Scene meeting() {
   add_plane(scene, plastic);
   Material metal = white_metal(0.5f, 0.2f);
   metal.n = {0.2f, 0.5f, 1.3f}, metal.k = {3.f, 2.2f, 1.9f};
-  add_sphere(scene, {{-1.2f, 1.f, 0.f}, 0.8f}, metal);
+  add_sphere(scene, {-1.2f, 1.f, 0.f}, 0.8f, metal);
   metal.kind = Kind::brushed;
   metal.theta_z = 0.7f;
-  add_sphere(scene, {{1.2f, 1.f, 0.f}, 0.8f}, metal);
+  add_sphere(scene, {1.2f, 1.f, 0.f}, 0.8f, metal);
   metal.kind = Kind::leaning;
   metal.theta_x = 0.3f;
-  add_sphere(scene, {{0.f, 1.f, -1.5f}, 0.8f}, metal);
+  add_sphere(scene, {0.f, 1.f, -1.5f}, 0.8f, metal);
   Material glass;
   glass.kind = Kind::dielectric;
   glass.alpha_x = glass.alpha_y = 0.4f;
-  add_sphere(scene, {{0.f, 0.6f, 1.2f}, 0.5f}, glass);
+  add_sphere(scene, {0.f, 0.6f, 1.2f}, 0.5f, glass);
   light.emission = {3.f, 3.f, 3.f};
-  add_sphere(scene, {{2.f, 4.f, 2.f}, 1.f}, light);
+  add_sphere(scene, {2.f, 4.f, 2.f}, 1.f, light);
   scene.environment = make_environment(32, [](Vec3 d) { return Vec3{0.3f + 0.7f * d.y * d.y, 0.5f, 0.8f}; });
   scene.camera.from = {0.f, 3.f, 6.f};
   scene.camera.at = {0.f, 0.7f, 0.f};
-  scene.finish("");
+  finish(scene);
   return scene;
 }
 /// Means of 8 x 8 blocks.
@@ -278,9 +279,9 @@ TEST(Converges, EveryWayOfSamplingToOnePicture) {
     std::vector<std::vector<double>> runs;
     for (int run = 0; run < kRuns; ++run) {
       Task task = task_of(way.mis ? 32 : 128);
-      task.settings.sampling = way.sampling;
-      task.settings.mis = way.mis;
-      task.settings.seed = static_cast<std::uint32_t>(1000 * (&way - ways) + run);
+      task.sampling = way.sampling;
+      task.mis = way.mis;
+      task.seed = static_cast<std::uint32_t>(1000 * (&way - ways) + run);
       runs.push_back(block_means(picture(scene, task)));
       for (int i = 0; i < 64; ++i) mean[i] += runs.back()[i] / kRuns;
     }
