@@ -1,4 +1,5 @@
-// vndf_errors: how far the library's normals and its peers' are from the exact ones, for every hard case.
+// vndf_errors: how far the library's normals and directions are from the exact ones, and its peers' normals, for every
+// hard case.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -69,21 +70,72 @@ Json compare(const char* implementation, const char* warp, const char* isa, cons
   return row;
 }
 
-/// The largest ratio of reference/ratio.h among the first samples: it takes quadruple precision.
-double largest_ratio(Warp warp, const Inputs& in, const Normals& wm) {
+/// The largest ratio of reference/ratio.h among the first samples: it takes quadruple precision. `exact(i, at)` is what
+/// sample i should give for the inputs `at`.
+template <class Function>
+double largest_ratio(const Inputs& in, const Normals& result, Function exact) {
   constexpr std::size_t kSamples = 1 << 12;
   constexpr Moves view = Moves::outwards, u = Moves::within_one;
-  auto exact = [&](const std::array<exact::Quad, 7>& at) {
-    auto normal = exact::sample_normal(warp, {at[0], at[1], at[2]}, exact::plain(at[3], at[4]), at[5], at[6]);
-    return std::array<Exact, 1>{exact_vector(normal.wm)};
-  };
   double largest = 0;
   for (std::size_t i = 0; i < std::min(kSamples, in.size()); ++i) {
     std::array<float, 7> at{in.wo_x[i], in.wo_y[i], in.wo_z[i], in.alpha_x[i], in.alpha_y[i], in.u_x[i], in.u_y[i]};
-    std::array<Found, 1> found{Found{{wm.x[i], wm.y[i], wm.z[i]}}};
-    keep_larger(largest, ratios<7, 1>(at, {view, view, view, view, view, u, u}, found, exact)[0]);
+    std::array<Found, 1> found{Found{{result.x[i], result.y[i], result.z[i]}}};
+    auto right = [&](const std::array<Quad, 7>& moved) { return std::array<Exact, 1>{exact(i, moved)}; };
+    keep_larger(largest, ratios<7, 1>(at, {view, view, view, view, view, u, u}, found, right)[0]);
   }
   return largest;
+}
+
+/// Glass, its side chosen by Fresnel's share: reflected and refracted directions, against those of the exact normal by
+/// Walter et al. 2007, eq. 39 and 40, on the side that the library took.
+Json measure_dielectric(const HardCase& hard_case, const bench::NamedWarp& named, const Inputs& in,
+                        const OracleNormals& normals) {
+  constexpr float kEta = 1.5f;
+  const std::size_t samples = in.size();
+  std::vector<float> choice(samples), pdf(samples), weight(samples), side(samples);
+  for (std::size_t i = 0; i < samples; ++i) choice[i] = Random(kSeed, i).unit();
+  Normals wi(samples);
+  sample_dielectric(named.warp, samples, in.wo(), in.alpha(), kEta, {in.u_x.data(), in.u_y.data(), choice.data()},
+                    {wi.out(), pdf.data(), weight.data(), side.data()});
+  OracleNormals exact = normals;
+  for (std::size_t i = 0; i < samples; ++i) {
+    double x = in.wo_x[i], y = in.wo_y[i], z = in.wo_z[i], eta = kEta;
+    double cos = x * exact.x[i] + y * exact.y[i] + z * exact.z[i];
+    double of_normal = 2 * cos, of_view = 1;
+    if (side[i] < 0) {
+      of_normal = cos / eta - std::sqrt((eta * eta - 1) + cos * cos) / eta;
+      of_view = 1 / eta;
+    }
+    exact.x[i] = of_normal * exact.x[i] - of_view * x;
+    exact.y[i] = of_normal * exact.y[i] - of_view * y;
+    exact.z[i] = of_normal * exact.z[i] - of_view * z;
+  }
+  Json row = compare("sample_dielectric", named.name, "any", hard_case, in, exact, wi);
+  row["ratio"] = largest_ratio(in, wi, [&](std::size_t i, const std::array<Quad, 7>& at) {
+    return exact_vector(exact::sample_dielectric(named.warp, side[i] > 0, {at[0], at[1], at[2]},
+                                                 exact::plain(at[3], at[4]), kEta, at[5], at[6])
+                            .wi);
+  });
+  return row;
+}
+
+/// The disk has neither views nor roughness, so that of the hard cases the random numbers count.
+Json measure_disk(const HardCase& hard_case, DiskMap map, const char* name, std::size_t samples) {
+  Inputs in = generate(hard_case, map == DiskMap::polar ? Warp::polar : Warp::concentric, samples, kSeed);
+  Normals t(samples);
+  sample_disk(map, samples, in.u(), {t.x.data(), t.y.data()});
+  OracleNormals exact;
+  exact.x.resize(samples), exact.y.resize(samples), exact.z.resize(samples);
+  for (std::size_t i = 0; i < samples; ++i) {
+    const float u[2] = {in.u_x[i], in.u_y[i]};
+    OracleDisk disk = oracle_disk(map, u);
+    exact.x[i] = disk.t1, exact.y[i] = disk.t2;
+  }
+  Json row = compare("sample_disk", name, "any", hard_case, in, exact, t);
+  row["norm_eps"] = row["slope_error"] = nullptr;
+  row["undefined"] = false;
+  row["shared_domain"] = true;
+  return row;
 }
 
 /// The library, on the active instruction set: the others give the same bits, which the tests make sure of.
@@ -102,9 +154,14 @@ std::vector<Json> measure_ours(const HardCase& hard_case, const bench::NamedWarp
     oracle = oracle_normals(warp, in);
   }
   std::vector<Json> rows{compare("sample_normals", named.name, "any", hard_case, in, oracle, wm)};
-  if (!hard_case.no_visible_normal) rows[0]["ratio"] = largest_ratio(warp, in, wm);
+  if (!hard_case.no_visible_normal)
+    rows[0]["ratio"] = largest_ratio(in, wm, [&](std::size_t, const std::array<Quad, 7>& at) {
+      return exact_vector(
+          exact::sample_normal(warp, {at[0], at[1], at[2]}, exact::plain(at[3], at[4]), at[5], at[6]).wm);
+    });
   if (!in_shared_domain(in)) return rows;
 
+  rows.push_back(measure_dielectric(hard_case, named, in, oracle));
   // Reflections against the exact view reflected at the exact normal. It takes unit views above the horizon.
   std::vector<float> pdf(samples), weight(samples);
   sample_reflection(warp, samples, in.wo(), in.alpha(), in.u(), {wm.out(), pdf.data(), weight.data()});
@@ -186,7 +243,9 @@ int main(int argc, char** argv) {
   std::vector<std::string> names;
   for (const HardCase& hard_case : hard_cases()) names.push_back(hard_case.name);
 
-  CLI::App app("Measures the library's normals and its peers' against exact ones, for every hard case.", "vndf_errors");
+  CLI::App app(
+      "Measures the library's normals and directions, and its peers' normals, against exact ones, for every hard case.",
+      "vndf_errors");
   report::Output output(app);
   bench::add_number(app, "--samples", samples, "per hard case and warp of the library's", 1, 1 << 28);
   bench::add_number(app, "--peer-samples", peer_samples, "per hard case of each peer", 1, 1 << 28);
@@ -199,6 +258,10 @@ int main(int argc, char** argv) {
   for (const HardCase& hard_case : hard_cases()) {
     if (!only.empty() && only != hard_case.name) continue;
     for (const auto& warp : bench::kWarps) tasks.push_back([&] { return measure_ours(hard_case, warp, samples); });
+    tasks.push_back([&] {
+      return std::vector<Json>{measure_disk(hard_case, DiskMap::polar, "polar", samples),
+                               measure_disk(hard_case, DiskMap::concentric, "concentric", samples)};
+    });
     tasks.push_back([&] { return measure_peers(hard_case, peer_samples); });
   }
   Json row_notes, operations;

@@ -56,6 +56,7 @@ def read_errors(rows: list[dict[str, Any]]) -> pd.DataFrame:
     if "undefined" in errors:
         errors.loc[errors.undefined, distances] = math.nan
         errors = errors.astype({"slope_error": float, "ratio": float})
+        errors.loc[errors.operation == "sample_disk", "norm_eps"] = math.nan  # its points are no unit vectors
     return errors
 
 
@@ -83,7 +84,9 @@ def ispc_ns(speeds: pd.DataFrame, results: pd.DataFrame, peers: dict[str, str]) 
     theirs = theirs.assign(does=theirs.operation.map(peers)).set_index(keys).ns.astype(float)
     ours = results.assign(does=results.operation)[keys]
     same = theirs.reindex(pd.MultiIndex.from_frame(ours)).to_numpy()
-    polar = theirs.reindex(pd.MultiIndex.from_frame(ours.replace({"warp": {"concentric": "polar"}}))).to_numpy()
+    polar = theirs.reindex(
+        pd.MultiIndex.from_frame(ours.replace({"warp": {"concentric": "polar"}}))
+    ).to_numpy()
     return pd.Series(same, results.index).fillna(pd.Series(polar, results.index))
 
 
