@@ -2,6 +2,8 @@
 # Installs what vndf builds with on Debian and Ubuntu; elsewhere says what to install. Does nothing where all is there.
 # --wavefront: what the renderer of bench/wavefront builds with, as well.
 # --emulators: what ARM and old processors are tested with, as well.
+# --coverage: gcovr, as well.
+# --libfuzzer: Clang and its libFuzzer, as well.
 # --windows: what Windows is tested with, as well: Clang, mingw-w64 and Wine, a gigabyte.
 set -e
 packages="g++ make cmake ninja-build pkg-config libxsimd-dev libgtest-dev libboost-dev libbenchmark-dev libcli11-dev
@@ -12,8 +14,10 @@ for option; do
     --wavefront) packages="$packages libembree-dev libtbb-dev libopenexr-dev libpng-dev libtinyobjloader-dev
       openimageio-tools" ;;
     --emulators) packages="$packages g++-aarch64-linux-gnu qemu-user" ;;
+    --coverage) packages="$packages gcovr" ;;
+    --libfuzzer) packages="$packages clang libclang-rt-dev" ;;
     --windows) packages="$packages clang lld g++-mingw-w64-x86-64-posix wine64" ;;
-    *) echo "usage: sh cmake/deps.sh [--wavefront] [--emulators] [--windows]" >&2; exit 2 ;;
+    *) echo "usage: sh cmake/deps.sh [--wavefront] [--emulators] [--coverage] [--libfuzzer] [--windows]" >&2; exit 2 ;;
   esac
 done
 

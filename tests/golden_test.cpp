@@ -6,6 +6,7 @@
 #include "golden_hashes.h"
 #include "reference/random.h"
 #include "support/bits.h"
+#include "support/float_mode.h"
 
 namespace vndf::testing {
 namespace {
@@ -72,12 +73,16 @@ Table inputs(const Operation& operation, const std::map<Kind, Table>& all) {
   return in;
 }
 
-TEST_P(Golden, Bits) {
+/// Compares all rows, of which each is computed in a mode of the thread: mode(its place in the table).
+template <class Mode>
+void expect_golden(Mode mode) {
   std::map<Kind, Table> all = make_columns(), refracted = all;
   refracted[Kind::light] = across(all);
   std::map<std::string, GoldenHashes> rows;
   for (const GoldenHashes& row : kGolden) EXPECT_TRUE(rows.emplace(row.name, row).second) << row.name << " twice";
+  std::size_t place = 0;
   for (const Operation& operation : operations()) {
+    InFloatMode in_mode(mode(place++));
     Table out = evaluate(operation, inputs(operation, all));
     std::uint64_t results = hash(operation, out, false), optional = hash(operation, out, true), across = 0;
     if (operation.takes(Kind::light) && operation.takes(Kind::eta))
@@ -89,6 +94,15 @@ TEST_P(Golden, Bits) {
     rows.erase(operation.name);
   }
   for (const auto& row : rows) ADD_FAILURE() << row.first << " is no row of the table";
+}
+
+TEST_P(Golden, Bits) {
+  expect_golden([](std::size_t) { return float_mode(); });
+}
+
+// Denormals flushed, taken as zeros, or both; other roundings.
+TEST_P(Golden, BitsInAnyModeOfTheThread) {
+  expect_golden([](std::size_t place) { return kFloatModes[place % std::size(kFloatModes)]; });
 }
 
 }  // namespace

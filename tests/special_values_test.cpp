@@ -36,16 +36,16 @@ TEST_P(SpecialValues, GridOfGoodInputs) {
 
 TEST_P(SpecialValues, EdgesOfTheDomain) {
   for (std::uint64_t seed = 0; seed < 4; ++seed)
-    expect_sound_on_every_isa(edge_inputs(operation(), Roughness::promised, 1 << 15, seed));
+    expect_sound_on_every_isa(edge_inputs(operation(), Roughness::promised, samples(15), seed));
 }
 
 TEST_P(SpecialValues, HardCases) {
-  expect_sound_on_every_isa(good_inputs(operation(), 1 << 17, 1));
+  expect_sound_on_every_isa(good_inputs(operation(), samples(17), 1));
 }
 
 // alpha = 0 and what is next to it: densities stay finite, and so does what multiple importance sampling makes of them.
 TEST_P(SpecialValues, AlphaZeroAndNextToIt) {
-  expect_sound_on_every_isa(edge_inputs(operation(), Roughness::tiny, 1 << 16, 5), Roughness::tiny);
+  expect_sound_on_every_isa(edge_inputs(operation(), Roughness::tiny, samples(16), 5), Roughness::tiny);
 }
 
 // One surface for the batch. Leaning by the float next to a right angle, one of small alpha is a disk seen from its
@@ -71,7 +71,7 @@ TEST_P(SpecialValues, SurfacesOfConstants) {
     auto angle = [&] { return angles[random.below(std::size(angles))]; };
     surfaces.push_back({corner(), corner(), angle(), angle(), angle()});
   }
-  Table in = edge_inputs(operation(), Roughness::promised, 1 << 12, 6);
+  Table in = edge_inputs(operation(), Roughness::promised, samples(12), 6);
   if (!operation().takes(Kind::alpha)) return;
   for (const auto& surface : surfaces) {
     std::vector<Column> constant = columns(in);
@@ -91,7 +91,7 @@ TEST_P(SpecialValues, SurfacesOfConstants) {
 // Where cosines are next to 1: near-normal views, and the middle of each warp, whose normals are close to the view.
 TEST_P(SpecialValues, CosinesAreAtMostOne) {
   if (operation().output("wi.x") == operation().outputs.size()) return;
-  Table in = good_inputs(operation(), 1 << 18, 7);
+  Table in = good_inputs(operation(), samples(18), 7);
   for (std::size_t i = 0; i < in[0].size(); ++i) {
     reference::Random random(8, i);
     double s = random.below(3) ? random.log_uniform(1e-8, 1e-2) : 0, phi = random.uniform(0, 6.2831853);
@@ -134,8 +134,8 @@ TEST_P(SpecialValues, NormalsAreThoseOfSampleNormals) {
   const Operation* normals = normals_of(operation());
   if (!normals) return;
   for (const Table& in :
-       {good_inputs(operation(), 1 << 18, 3), edge_inputs(operation(), Roughness::promised, 1 << 15, 9),
-        mixed_inputs(operation(), 1 << 15, 4)})
+       {good_inputs(operation(), samples(18), 3), edge_inputs(operation(), Roughness::promised, samples(15), 9),
+        mixed_inputs(operation(), samples(15), 4)})
     on_every_isa([&] {
       Table out = evaluate(operation(), in), wm;
       for (const char* column : {"wm.x", "wm.y", "wm.z"}) wm.push_back(out[operation().output(column)]);
@@ -147,7 +147,7 @@ TEST_P(SpecialValues, NormalsAreThoseOfSampleNormals) {
 // delta it is not evaluated, neither close to straight on nor elsewhere.
 TEST_P(SpecialValues, MatchedIndices) {
   if (!operation().takes(Kind::eta)) return;
-  Table in = edge_inputs(operation(), Roughness::promised, 1 << 13, 10);
+  Table in = edge_inputs(operation(), Roughness::promised, samples(13), 10);
   if (operation().takes(Kind::light))
     for (std::size_t i = 0; i < in[0].size(); i += 2) {
       reference::Random random(3, i);
@@ -180,7 +180,7 @@ TEST_P(SpecialValues, MatchedIndices) {
 TEST_P(SpecialValues, IndicesThatAreNone) {
   if (!operation().takes(Kind::eta)) return;
   constexpr float kInf = std::numeric_limits<float>::infinity(), kNan = std::numeric_limits<float>::quiet_NaN();
-  Table in = edge_inputs(operation(), Roughness::promised, 1 << 13, 11);
+  Table in = edge_inputs(operation(), Roughness::promised, samples(13), 11);
   for (float eta : {0.f, -0.f, -1e-30f, -0.5f, -1.f, -1.5f, -1e30f, 0x1p-20f, 0x1p20f, kNan, kInf, -kInf}) {
     set(in, Kind::eta, eta);
     on_every_isa([&] {

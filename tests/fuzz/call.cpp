@@ -5,8 +5,8 @@
 #include <deque>
 
 #include "fuzz/fence.h"
-#include "fuzz/float_mode.h"
 #include "fuzz/inputs.h"
+#include "support/float_mode.h"
 
 namespace vndf::fuzz {
 namespace {
@@ -212,17 +212,18 @@ std::string check(const Call& call, const Results& out) {
 
 Outcome make_call(Source& source) {
   const Call call = any_call(source);
-  const auto usual = float_mode(), wanted = kFloatModes[source.one_in(2) ? 0 : source.below(std::size(kFloatModes))];
+  const auto wanted = testing::kFloatModes[source.one_in(2) ? 0 : source.below(std::size(testing::kFloatModes))];
   Outcome outcome{0, ""};
   Results expected, found;
   for (const Isa& isa : isas()) {
     if (!isa.supported || set_isa(isa.name) != IsaError::none) continue;
     const bool scalar = &isa == isas().begin();
-    set_float_mode(wanted);
-    const auto mode = float_mode();  // some emulators take less
-    outcome.fault = run(call, scalar ? call.count : call.split, found);
-    if (float_mode() != mode && outcome.fault.empty()) outcome.fault = "the mode of the thread was changed";
-    set_float_mode(usual);
+    {
+      testing::InFloatMode in_mode(wanted);
+      const auto mode = testing::float_mode();  // some emulators take less
+      outcome.fault = run(call, scalar ? call.count : call.split, found);
+      if (testing::float_mode() != mode && outcome.fault.empty()) outcome.fault = "the mode of the thread was changed";
+    }
     if (scalar) expected = found;
     if (outcome.fault.empty()) outcome.fault = scalar ? check(call, found) : compare(call, expected, found);
     outcome.lanes += call.count;

@@ -1,4 +1,5 @@
-// Calls at random until the time or the number of calls is over:  vndf_fuzz [--calls n] [--seconds n] [--seed n]
+// Calls at random until the time or the number of calls is over:
+//   vndf_fuzz [--calls n] [--seconds n] [--seed n [--first n]]
 // Without a seed, a new one. The seed and the number of a call make it again: --seed s --first n --calls 1.
 #include <chrono>
 #include <cstdio>
@@ -10,12 +11,22 @@
 
 int main(int argc, char** argv) {
   std::uint64_t seed = std::random_device()(), calls = UINT64_MAX, first = 0, seconds = 60;
-  for (int i = 1; i + 1 < argc; i += 2) {
-    const std::uint64_t value = std::strtoull(argv[i + 1], nullptr, 0);
-    if (!std::strcmp(argv[i], "--seed")) seed = value;
-    if (!std::strcmp(argv[i], "--calls")) calls = value, seconds = UINT32_MAX;
-    if (!std::strcmp(argv[i], "--first")) first = value;
-    if (!std::strcmp(argv[i], "--seconds")) seconds = value;
+  for (int i = 1; i < argc; i += 2) {
+    char* end = nullptr;
+    const std::uint64_t value = i + 1 < argc ? std::strtoull(argv[i + 1], &end, 0) : 0;
+    const bool is_number = end && end != argv[i + 1] && !*end;
+    if (is_number && !std::strcmp(argv[i], "--seed")) {
+      seed = value;
+    } else if (is_number && !std::strcmp(argv[i], "--calls")) {
+      calls = value, seconds = UINT32_MAX;
+    } else if (is_number && !std::strcmp(argv[i], "--first")) {
+      first = value;
+    } else if (is_number && !std::strcmp(argv[i], "--seconds")) {
+      seconds = value;
+    } else {
+      std::fprintf(stderr, "usage: vndf_fuzz [--calls n] [--seconds n] [--seed n [--first n]]\n");
+      return 2;
+    }
   }
   std::printf("seed %llu\n", static_cast<unsigned long long>(seed));
   std::fflush(stdout);

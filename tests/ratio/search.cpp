@@ -138,13 +138,23 @@ class Search {
 int main(int argc, char** argv) {
   std::uint64_t seed = std::random_device()(), starts = UINT64_MAX, seconds = 10;
   std::string part;
-  for (int i = 1; i + 1 < argc; i += 2) {
+  for (int i = 1; i < argc; i += 2) {
     const std::string option = argv[i];
-    const std::uint64_t value = std::strtoull(argv[i + 1], nullptr, 0);
-    if (option == "--function") part = argv[i + 1];
-    if (option == "--seconds") seconds = value;
-    if (option == "--starts") starts = value, seconds = 1u << 30;
-    if (option == "--seed") seed = value;
+    char* end = nullptr;
+    const std::uint64_t value = i + 1 < argc ? std::strtoull(argv[i + 1], &end, 0) : 0;
+    const bool is_number = end && end != argv[i + 1] && !*end;
+    if (option == "--function" && i + 1 < argc) {
+      part = argv[i + 1];
+    } else if (is_number && option == "--seconds") {
+      seconds = value;
+    } else if (is_number && option == "--starts") {
+      starts = value, seconds = 1u << 30;
+    } else if (is_number && option == "--seed") {
+      seed = value;
+    } else {
+      std::fprintf(stderr, "usage: vndf_search [--function part_of_a_name] [--seconds n] [--starts n] [--seed n]\n");
+      return 2;
+    }
   }
   std::printf("seed %llu\n", static_cast<unsigned long long>(seed));
   bool holds = true;

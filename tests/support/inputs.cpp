@@ -1,6 +1,8 @@
 #include "support/inputs.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <limits>
 
 namespace vndf::testing {
@@ -61,6 +63,11 @@ std::vector<Table> hard_tables(const Operation& operation, std::size_t count, st
 }
 
 }  // namespace
+
+std::size_t samples(int exponent) {
+  const char* most = std::getenv("VNDF_TEST_SAMPLES");
+  return std::size_t(1) << (most ? std::min(exponent, std::atoi(most)) : exponent);
+}
 
 Table hard_inputs(const Operation& operation, const reference::HardCase& hard_case, std::size_t count,
                   std::uint64_t seed) {

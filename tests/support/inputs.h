@@ -6,6 +6,9 @@
 
 namespace vndf::testing {
 
+/// 2^exponent samples, or 2^VNDF_TEST_SAMPLES where that is less: for builds with sanitizers, which are slow.
+std::size_t samples(int exponent);
+
 /// A hard case, with what the row asks for besides. Light and normals are sampled ones; one light in four is any.
 Table hard_inputs(const Operation& operation, const reference::HardCase& hard_case, std::size_t count,
                   std::uint64_t seed);

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace vndf::fuzz {
+namespace vndf::testing {
 
 #if defined(__SSE__)
 inline unsigned float_mode() {
@@ -12,6 +12,7 @@ inline unsigned float_mode() {
 inline void set_float_mode(unsigned mode) {
   __builtin_ia32_ldmxcsr(mode);
 }
+/// The usual one, FTZ, DAZ, both, and the other roundings.
 constexpr unsigned kFloatModes[] = {0x1f80, 0x9f80, 0x1fc0, 0x9fc0, 0x3f80, 0x5f80, 0x7f80};
 #elif defined(__aarch64__)
 inline std::uint64_t float_mode() {
@@ -31,4 +32,16 @@ inline void set_float_mode(unsigned) {}
 constexpr unsigned kFloatModes[] = {0};
 #endif
 
-}  // namespace vndf::fuzz
+/// Puts the mode of the thread back at the end.
+class InFloatMode {
+ public:
+  explicit InFloatMode(decltype(float_mode()) mode) : before_(float_mode()) { set_float_mode(mode); }
+  ~InFloatMode() { set_float_mode(before_); }
+  InFloatMode(const InFloatMode&) = delete;
+  InFloatMode& operator=(const InFloatMode&) = delete;
+
+ private:
+  const decltype(float_mode()) before_;
+};
+
+}  // namespace vndf::testing
