@@ -3,7 +3,7 @@
 # --wavefront: what the renderer of bench/wavefront builds with, as well.
 # --emulators: what ARM and old processors are tested with, as well.
 # --coverage: gcovr, as well.
-# --libfuzzer: Clang and its libFuzzer, as well.
+# --sanitizers: Clang, its sanitizers and its libFuzzer, as well.
 # --windows: what Windows is tested with, as well: Clang, mingw-w64 and Wine, a gigabyte.
 set -e
 packages="g++ make cmake ninja-build pkg-config libxsimd-dev libgtest-dev libboost-dev libbenchmark-dev libcli11-dev
@@ -15,9 +15,9 @@ for option; do
       openimageio-tools" ;;
     --emulators) packages="$packages g++-aarch64-linux-gnu qemu-user" ;;
     --coverage) packages="$packages gcovr" ;;
-    --libfuzzer) packages="$packages clang libclang-rt-dev" ;;
+    --sanitizers) packages="$packages clang libclang-rt-dev" ;;
     --windows) packages="$packages clang lld g++-mingw-w64-x86-64-posix wine64" ;;
-    *) echo "usage: sh cmake/deps.sh [--wavefront] [--emulators] [--coverage] [--libfuzzer] [--windows]" >&2; exit 2 ;;
+    *) echo "usage: sh cmake/deps.sh [--wavefront] [--emulators] [--coverage] [--sanitizers] [--windows]" >&2; exit 2 ;;
   esac
 done
 

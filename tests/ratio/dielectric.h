@@ -37,8 +37,6 @@ struct Dielectric {
   static constexpr std::size_t kEta = 3 + Surface::kInputs, kU = kEta + 1, kInputs = kU + 3, kDirections = 1,
                                kResults = 5;
   using Founds = std::array<Found, kResults>;
-  /// Half a unit of densities of 2^-37 and less, which fall with the square of wo.wm at the rim.
-  static constexpr Quad kNothing = Quad(0x1p-62);
   static constexpr std::array<Bound, kResults> bounds = {
       {{"wi", 16, 16}, {"pdf", 16, 16}, {"weight", 16, 16}, {"separable weight", 16, 16}, {"side", 0, 0}}};
 
@@ -79,7 +77,7 @@ struct Dielectric {
                                                in[kU], in[kU + 1]);
     bool defined = s.normal.defined && (is_unit(wo) || side > 0), leaves = defined && height(in[2], side, s.wi.z) > 0;
     return {reference::exact_vector(at_most_one(found[0].value, s.wi), defined),
-            exact_with(kNothing, s.pdf, defined && is_unit(wo)),
+            exact_with(s.pdf_slack, s.pdf, defined && is_unit(wo)),
             exact_with(s.slack.correlated, s.weight.correlated, leaves),
             exact_with(s.slack.separable, s.weight.separable, leaves), reference::exact_number(side)};
   }

@@ -83,8 +83,7 @@ struct Sampled {
     const bool separable = is_separable(kOf);
     const Quad w = separable ? s.weight.separable : s.weight.correlated,
                slack = separable ? s.slack.separable : s.slack.correlated;
-    return {reference::exact_vector(at_most_one(found[0].value, s.wi), leaves),
-            exact_with(Quad(0x1p-62), s.pdf, digits),
+    return {reference::exact_vector(at_most_one(found[0].value, s.wi), leaves), exact_with(s.pdf_slack, s.pdf, digits),
             with_beta(kOf, 16, slack, w, w, digits && is_comparable(kOf, in[2]) && is_comparable(kOf, s.wi.z)),
             reference::exact_number(side)};
   }
@@ -114,8 +113,10 @@ struct Evaluated {
     const exact::Surface surface = Plain::exact(&in[6]);
     exact::Evaluation of = exact::evaluate_dielectric(wo, wi, surface, in[kEta], lobes_of(kOf, in[kProbability]));
     const Quad f = is_separable(kOf) ? of.f_cos.separable : of.f_cos.correlated;
-    // Whether a pair is possible is for evaluation_test.cpp.
-    const bool both = (found[1].value[0] > 0) == (f > 0) && is_comparable(kOf, wo.z) && is_comparable(kOf, wi.z);
+    // Whether a pair is possible is for evaluation_test.cpp. An f_cos that is 0 by masking alone leaves it to the pdf.
+    const bool found_f = found[1].value[0] > 0, found_possible = found_f || found[0].value[0] > 0;
+    const bool both = found_f == (f > 0) && found_possible == (f > 0 || of.pdf > 0) && is_comparable(kOf, wo.z) &&
+                      is_comparable(kOf, wi.z);
     const bool across = (wo.z < 0) != (wi.z < 0);
     return {
         reference::exact_number(of.pdf, both && has_digits(kOf, of.pdf, 1)),

@@ -119,9 +119,10 @@ Vec normal_on_cap(const View& view, Quad k, Quad r2, Quad e, Quad sin, Quad cos)
 /// A surface as it is seen from wo.
 struct Seen {
   View view;
-  Quad area;  ///< |A wo| + (A wo).z: Walter et al. 2015, eq. 28; for plain GGX 2 wo.z / G1(wo), Heitz 2018, eq. 2
-  Quad k;     ///< the bound of Eto and Tokuyoshi 2023, eq. 5, or 1
-  Quad kept;  ///< what is kept of the area if k is not 1
+  Quad length;  ///< |A wo|
+  Quad area;    ///< |A wo| + (A wo).z: Walter et al. 2015, eq. 28; for plain GGX 2 wo.z / G1(wo), Heitz 2018, eq. 2
+  Quad k;       ///< the bound of Eto and Tokuyoshi 2023, eq. 5, or 1
+  Quad kept;    ///< what is kept of the area if k is not 1
 };
 Quad bound(const Vec& wo, const Surface& surface) {
   Quad a = smaller(1, surface.smaller_alpha), s = 1 + root(wo.x * wo.x + wo.y * wo.y);
@@ -129,8 +130,8 @@ Quad bound(const Vec& wo, const Surface& surface) {
 }
 Seen seen(bool bounded, const Vec& wo, const Surface& surface) {
   Vec h = times(surface, wo);
-  Seen s{view_of(h), 0, 1, 1};
-  s.area = length(h) * s.view.one_plus_z;
+  Seen s{view_of(h), length(h), 0, 1, 1};
+  s.area = s.length * s.view.one_plus_z;
   if (bounded) {
     s.k = bound(wo, surface);
     s.kept = (1 + s.k * s.view.z) / s.view.one_plus_z;
@@ -142,6 +143,7 @@ Seen seen(bool bounded, const Vec& wo, const Surface& surface) {
 struct Facet {
   Normal normal;
   Quad ndf;
+  Quad length;  ///< |A^T Nh| of a unit Nh
 };
 Quad ndf(Quad k2, const Surface& surface) {
   return 1 / (kPi * surface.determinant * k2 * k2);
@@ -150,12 +152,12 @@ Facet facet_of(Vec nh, const Vec& wo, const Surface& surface) {
   if (nh.z < 0) nh.z = 0;
   Vec p = transposed_times(surface, nh);
   Quad nh2 = dot(nh, nh), p2 = dot(p, p);
-  if (!(nh2 > kNoSum * kNoSum)) return {{{0, 0, 1}, wo.z, false}, 0};
+  if (!(nh2 > kNoSum * kNoSum)) return {{{0, 0, 1}, wo.z, false}, 0, 1};
   Vec wm = (1 / square_root(p2)) * p;
-  return {{wm, dot(wo, wm), true}, ndf(nh2 / p2, surface)};
+  return {{wm, dot(wo, wm), true}, ndf(nh2 / p2, surface), square_root(p2 / nh2)};
 }
 Facet sample(Warp warp, const Seen& from, const Vec& wo, const Surface& surface, Quad u1, Quad u2) {
-  if (!(from.view.one_plus_z > 0)) return {{{0, 0, 1}, wo.z, false}, 0};
+  if (!(from.view.one_plus_z > 0)) return {{{0, 0, 1}, wo.z, false}, 0, 1};
   if (warp == Warp::spherical_cap) {
     Quad sin, cos;
     sin_cos_of_turn(u1, sin, cos);
@@ -225,6 +227,7 @@ Masked slack(WeightOf weight_of, const Vec& wi, Quad more, const Masked& weight)
   return {absolute(moved.correlated - weight.correlated), absolute(moved.separable - weight.separable)};
 }
 constexpr Quad kNextToHorizontal = Quad(0x1p-42), kHalfAUnit = Quad(0x1p-25);
+constexpr Quad kNextToTheRim = Quad(0x1p-46);
 
 /// Both shares, by the cosines of either side; cos_t = 0 where reflection is total.
 struct Fresnel {
@@ -298,19 +301,31 @@ Sample sample_dielectric(Warp warp, bool reflects, const Vec& view, const Surfac
   Quad cos_t = refracted_cos(cos, eta);
   // Walter et al. 2007, eq. 39 and 40.
   Vec wi = reflects ? 2 * cos * wm + Quad(-1) * wo : (cos / eta - cos_t) * wm + (-1 / eta) * wo;
-  Fresnel share = fresnel(cos, cos_t, eta);
-  Quad by_fresnel = reflects ? share.reflected : share.transmitted;
-  Quad chosen = !lobes.given ? by_fresnel : reflects ? lobes.reflection : 1 - lobes.reflection;
-  Quad pdf = chosen * (reflects ? reflection_pdf(facet.ndf, from)
-                                : normal_pdf(facet.ndf, cos, from) * refraction_jacobian(cos, -cos_t, eta));
+  auto share_at = [&](Quad c) {
+    Fresnel share = fresnel(c, refracted_cos(c, eta), eta);
+    return reflects ? share.reflected : share.transmitted;
+  };
+  auto chosen_at = [&](Quad c) {
+    return !lobes.given ? share_at(c) : reflects ? lobes.reflection : 1 - lobes.reflection;
+  };
+  auto pdf_at = [&](Quad c) {
+    return chosen_at(c) * (reflects
+                               ? reflection_pdf(facet.ndf, from)
+                               : normal_pdf(facet.ndf, c, from) * refraction_jacobian(c, -refracted_cos(c, eta), eta));
+  };
+  Quad pdf = pdf_at(cos), by_fresnel = share_at(cos), chosen = chosen_at(cos);
   auto weight_of = [&](const Vec& light) {
     Masked w = dielectric_weight(reflects, from, wo, light, surface, eta, lobes);
     if (!lobes.given || chosen == 0) return w;
     return Masked{w.correlated * by_fresnel / chosen, w.separable * by_fresnel / chosen};
   };
   Masked w = weight_of(wi);
-  return {facet.normal, mirrored(below, wi), capped(pdf), w,
-          slack(weight_of, wi, (reflects ? 1 : -1) * (surface.by_lunes ? kHalfAUnit : kNextToHorizontal), w)};
+  return {facet.normal,
+          mirrored(below, wi),
+          capped(pdf),
+          w,
+          slack(weight_of, wi, (reflects ? 1 : -1) * (surface.by_lunes ? kHalfAUnit : kNextToHorizontal), w),
+          absolute(pdf_at(cos + kNextToTheRim * from.length / facet.length) - pdf)};
 }
 
 Evaluation evaluate_reflection(bool bounded, const Vec& wo, const Vec& wi, const Surface& surface) {
@@ -329,7 +344,9 @@ Evaluation evaluate_dielectric(const Vec& view, const Vec& light, const Surface&
   Seen from = seen(false, wo, surface);
   Quad cos_o = dot(wo, m), cos_i = dot(wi, m), share = 0, pdf = 0;
   if (reflects) {
-    share = fresnel(cos_o, refracted_cos(cos_o, eta), eta).reflected;
+    // Of unit vectors it is |h| / 2. Where they are nearly opposite, what their lengths are off can make it negative.
+    Quad cos = cos_o > 0 ? cos_o : Quad(0);
+    share = fresnel(cos, refracted_cos(cos, eta), eta).reflected;
     pdf = reflection_pdf(ndf(m, surface), from);
   } else if (cos_o > 0 && cos_i < 0) {
     share = fresnel(cos_o, -cos_i, eta).transmitted;

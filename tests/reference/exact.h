@@ -47,11 +47,15 @@ Normal sample_normal(Warp warp, const Vec& wo, const Surface& surface, Quad u1, 
 ///
 /// `slack` is what 2^-42 more of wi.z does to the weight, which counts where both directions are next to horizontal. Of
 /// bounded sampling, the rim of whose cap pins wi to the horizon, and of ellipsoids it is half a unit of wi, 2^-25.
+///
+/// `pdf_slack` is what 2^-46 more of Vh.Nh does to the density: that of a refraction falls with its square at the rim,
+/// from which lanes/hemisphere.h keeps it away.
 struct Sample {
   Normal normal;
   Vec wi;
   Quad pdf;
   Masked weight, slack;
+  Quad pdf_slack = 0;
 };
 Sample sample_reflection(Warp warp, bool bounded, const Vec& wo, const Surface& surface, Quad u1, Quad u2);
 /// What may be asked of a dielectric. Without a probability of reflection, that is Fresnel's share.
