@@ -268,10 +268,9 @@ struct DielectricSamples {
 /// Domain   alpha from 1e-6 to 100, eta from 0.1 to 10.
 /// Error    ratio at most 16 for wi, pdf and weight, where |eta - 1| >= 1e-4 and |wo| is within 8 eps of 1; |wi| is
 ///          then within 96 eps of 1. For |wo| off by up to 1e-3 the ratio holds for reflected wi and the weight alone.
-///          For the pdf, the cosine Vh.Nh of the hemisphere configuration may be 2^-46 more; for the weight, wi.z 2^-42
-///          off. Where the probability was given, this is for wo.wm from 2^-20 and pdf up to 2^50. Height-correlated
-///          masking across may be off by another 30 eps (1 - ln w) of w = G2 / G1, for |wo.z| and |wi.z| from 1e-6, and
-///          is at least 2^-118.
+///          For the pdf, Vh.Nh of eq. 13 may be 2^-46 more and wo.wm 2^-62; for the weight, wi.z 2^-42 off. Where the
+///          probability was given, this is for wo.wm from 2^-20 and pdf up to 2^50. Height-correlated masking across
+///          may be another 30 eps (1 - ln w) off of w = G2 / G1, for |wo.z|, |wi.z| from 1e-6, and is at least 2^-118.
 /// Special  |eta - 1| < 2^-16 (seen from below, |1 / eta - 1|) counts as index-matched: wi = -wo, side -1, weight 1 and
 ///          pdf 2^60, or both 0 for a horizontal view. eta 0, negative, NaN or not between 2^-20 and 2^20: pdf and
 ///          weight 0. wo = 0: the same.

@@ -227,7 +227,7 @@ Masked slack(WeightOf weight_of, const Vec& wi, Quad more, const Masked& weight)
   return {absolute(moved.correlated - weight.correlated), absolute(moved.separable - weight.separable)};
 }
 constexpr Quad kNextToHorizontal = Quad(0x1p-42), kHalfAUnit = Quad(0x1p-25);
-constexpr Quad kNextToTheRim = Quad(0x1p-46);
+constexpr Quad kNextToTheRim = Quad(0x1p-46), kNextToNoCosine = Quad(0x1p-62);
 
 /// Both shares, by the cosines of either side; cos_t = 0 where reflection is total.
 struct Fresnel {
@@ -325,7 +325,7 @@ Sample sample_dielectric(Warp warp, bool reflects, const Vec& view, const Surfac
           capped(pdf),
           w,
           slack(weight_of, wi, (reflects ? 1 : -1) * (surface.by_lunes ? kHalfAUnit : kNextToHorizontal), w),
-          absolute(pdf_at(cos + kNextToTheRim * from.length / facet.length) - pdf)};
+          absolute(pdf_at(cos + kNextToTheRim * from.length / facet.length + kNextToNoCosine) - pdf)};
 }
 
 Evaluation evaluate_reflection(bool bounded, const Vec& wo, const Vec& wi, const Surface& surface) {

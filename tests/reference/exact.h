@@ -48,8 +48,8 @@ Normal sample_normal(Warp warp, const Vec& wo, const Surface& surface, Quad u1, 
 /// `slack` is what 2^-42 more of wi.z does to the weight, which counts where both directions are next to horizontal. Of
 /// bounded sampling, the rim of whose cap pins wi to the horizon, and of ellipsoids it is half a unit of wi, 2^-25.
 ///
-/// `pdf_slack` is what 2^-46 more of Vh.Nh does to the density: that of a refraction falls with its square at the rim,
-/// from which lanes/hemisphere.h keeps it away.
+/// `pdf_slack` is what 2^-46 more of Vh.Nh and 2^-62 more of wo.wm do to the density, which falls with their squares at
+/// the rim: lanes/hemisphere.h and lanes/dielectric.h keep them away from 0 by as much.
 struct Sample {
   Normal normal;
   Vec wi;
