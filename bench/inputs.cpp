@@ -104,6 +104,7 @@ void fill_rest(const Batch& batch, std::uint64_t seed) {
     batch.in[7][i] = besides.unit();
     for (int c : {8, 9, 10}) batch.in[c][i] = static_cast<float>(kPi * (2 * besides.unit() - 1));
     fill_direction(&batch.in[11], i, besides);
+    batch.in[14][i] = std::copysign(batch.in[13][i], batch.in[8][i]);
   }
 }
 

@@ -9,8 +9,8 @@
 namespace bench {
 
 // wo.x, wo.y, wo.z, alpha_x, alpha_y, u1, u2; what some operations read besides: u3, theta_x, theta_y, theta_z, and
-// directions of light
-constexpr std::size_t kInputs = 14;
+// directions of light, and their z with the sign of theta_x: above and below
+constexpr std::size_t kInputs = 15;
 // wm.x, wm.y, wm.z, wi.x, wi.y, wi.z, pdf, weight; and what some write besides: side, wo_dot_wm, wi_dot_wm, reflectance
 constexpr std::size_t kOutputs = 12;
 

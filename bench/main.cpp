@@ -86,6 +86,9 @@ vndf::Columns2 u(const bench::Batch& b) {
 vndf::Columns3 light(const bench::Batch& b) {
   return {b.in[11], b.in[12], b.in[13]};
 }
+vndf::Columns3 light_on_both_sides(const bench::Batch& b) {
+  return {b.in[11], b.in[12], b.in[14]};
+}
 vndf::Out3 wm(const bench::Batch& b) {
   return {b.out[0], b.out[1], b.out[2]};
 }
@@ -173,7 +176,7 @@ Call evaluate_dielectric() {
   };
 }
 
-// Options, of the concentric warp and for the evaluations.
+// Options, of the concentric warp and for the evaluations; those of dielectrics with lights on both sides.
 Call sample_reflection(const vndf::ReflectionOptions& options) {
   return [=](const bench::Batch& b) {
     vndf::sample_reflection(vndf::Warp::concentric, b.count, wo(b), alpha(b), u(b), {wi(b), b.out[6], b.out[7]},
@@ -222,9 +225,9 @@ Call sample_dielectric_all_outputs() {
                             {wi(b), b.out[6], b.out[7], b.out[8], wm(b), b.out[9], b.out[10], b.out[11]});
   };
 }
-Call evaluate_dielectric(const DielectricKind& kind) {
-  return [options = options_of(kind)](const bench::Batch& b) {
-    vndf::evaluate_dielectric(b.count, wo(b), light(b), alpha(b), kEta, {b.out[6], b.out[7]}, options);
+Call evaluate_dielectric(const vndf::DielectricOptions& options) {
+  return [=](const bench::Batch& b) {
+    vndf::evaluate_dielectric(b.count, wo(b), light_on_both_sides(b), alpha(b), kEta, {b.out[6], b.out[7]}, options);
   };
 }
 
@@ -276,8 +279,9 @@ std::vector<Operation> operations() {
     add_option("evaluate_reflection_all_outputs/none", 11, evaluate_reflection_all_outputs());
     for (const DielectricKind& kind : kDielectrics) {
       add_option(std::string("sample_dielectric") + kind.name + "/concentric", 14, sample_dielectric(kind));
-      add_option(std::string("evaluate_dielectric") + kind.name + "/none", 10, evaluate_dielectric(kind));
+      add_option(std::string("evaluate_dielectric") + kind.name + "/none", 10, evaluate_dielectric(options_of(kind)));
     }
+    add_option("evaluate_dielectric_both_sides/none", 10, evaluate_dielectric(vndf::DielectricOptions{}));
     add_option("sample_dielectric_all_outputs/concentric", 20, sample_dielectric_all_outputs());
   }
 #define VNDF_COPY(isa)                                                                   \

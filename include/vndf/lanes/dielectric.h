@@ -102,14 +102,14 @@ VNDF_INLINE auto shadowing_of(F side, const Vec3<F>& wi, const Shape& shape, con
   else
     return masking.shadowing(mirrored(side < F(0.f), wi), shape);
 }
-/// G2 / G1(wo), for energy or radiance.
+/// G2 / G1(wo), for energy or radiance. `any_crosses`: no lane has side -1 where it is false.
 template <class Masking, class F, class Lobes, class Shadowing>
-VNDF_INLINE F dielectric_weight(F side, const SeenView<F>& view, F wi_z, const Index<F>& index, const Lobes& lobes,
-                                const Masking& masking, const Shadowing& shadowing) {
+VNDF_INLINE F dielectric_weight(F side, bool any_crosses, const SeenView<F>& view, F wi_z, const Index<F>& index,
+                                const Lobes& lobes, const Masking& masking, const Shadowing& shadowing) {
   auto reflects = side > F(0.f);
   F weight = masking.weight(view, wi_z, shadowing);
   if constexpr (Masking::kEven)
-    weight = op::select(reflects, weight, masking.weight_across(view, F(0.f) - wi_z, shadowing));
+    if (any_crosses) weight = op::select(reflects, weight, masking.weight_across(view, F(0.f) - wi_z, shadowing));
   if (lobes.radiance) weight = op::select(reflects, weight, weight / (index.eta * index.eta));
   return weight;
 }
@@ -120,7 +120,7 @@ VNDF_INLINE Weighed<F> weigh_dielectric(const SeenView<F>& view, F wi_z, F sprea
                                         const Index<F>& index, const Lobes& lobes, const Masking& masking,
                                         const Shadowing& shadowing) {
   F pdf = at_most_delta(((F(kInv2Pi) / spread) * at.share) * at.jacobian);
-  F weight = dielectric_weight(at.side, view, wi_z, index, lobes, masking, shadowing);
+  F weight = dielectric_weight(at.side, true, view, wi_z, index, lobes, masking, shadowing);
   if (lobes.given) {
     F ratio = given_over_share(at, lobes.reflection());
     auto can = ratio > F(0.f);
@@ -259,7 +259,8 @@ VNDF_INLINE Evaluation<F> evaluate_dielectric(const Vec3<F>& wo_given, const Vec
   F pdf = at_most_delta((pair_pdf(ndf_terms(normal.h, shape), view) * at.share) * at.jacobian);
   auto refracts = possible(index), matched = index_matched(index);
   auto leaves = both_above(wo.z, op::abs(wi.z), view.area) & (at.share > F(0.f)) & refracts & !matched;
-  F weight = dielectric_weight(at.side, view, wi.z, index, lobes, masking,
+  // Lights are often all on the views' side. Samples hardly ever are.
+  F weight = dielectric_weight(at.side, op::any(at.side < F(0.f)), view, wi.z, index, lobes, masking,
                                shadowing_of(at.side, wi, narrowed(shape), masking));
   F f_cos = pdf * weight;
   if (lobes.given) pdf = at_most_delta(pdf * given_over_share(at, lobes.reflection()));

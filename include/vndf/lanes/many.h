@@ -97,6 +97,12 @@ template <class M, class T, int K>
 VNDF_INLINE Many<T, K> select(const Many<M, K>& mask, const Many<T, K>& yes, const Many<T, K>& no) {
   return each([](const M& m, const T& y, const T& n) { return select(m, y, n); }, mask, yes, no);
 }
+template <class M, int K>
+VNDF_INLINE bool any(const Many<M, K>& mask) {
+  bool result = false;
+  for (const M& m : mask.v) result |= any(m);
+  return result;
+}
 template <class T, int K>
 VNDF_INLINE Many<T, K> sqrt(const Many<T, K>& a) {
   return each([](const T& x) { return sqrt(x); }, a);

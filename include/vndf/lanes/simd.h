@@ -122,6 +122,14 @@ VNDF_INLINE Batch<Arch> select(xsimd::batch_bool<float, Arch> mask, Batch<Arch> 
   return xsimd::select(mask, yes, no);
 }
 
+VNDF_INLINE bool any(bool mask) {
+  return mask;
+}
+template <class Arch>
+VNDF_INLINE bool any(xsimd::batch_bool<float, Arch> mask) {
+  return xsimd::any(mask);
+}
+
 VNDF_INLINE float sqrt(float a) {
   return VNDF_SQRTF(a);
 }
