@@ -19,6 +19,10 @@ set(trials
     fused "-ffp-contract=fast -mfma"
     native "-march=native"
     none "-O0")
+add_test(NAME hosts.options
+         COMMAND ${CMAKE_COMMAND} -DCXX=${CMAKE_CXX_COMPILER} -DID=${CMAKE_CXX_COMPILER_ID} "-DTRIALS=${trials}"
+                 "-DOPTIONS=$<JOIN:$<TARGET_PROPERTY:vndf_scalar,COMPILE_OPTIONS>, >" -DWORK=${CMAKE_CURRENT_BINARY_DIR}
+                 -P ${CMAKE_CURRENT_SOURCE_DIR}/options.cmake)
 while(trials)
   list(POP_FRONT trials name flags)
   foreach(compiler ${CMAKE_CXX_COMPILER} ${VNDF_OTHER_COMPILER})
