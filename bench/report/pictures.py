@@ -79,19 +79,20 @@ def draw_all(
     ellipsoid: dict[str, pd.DataFrame],
     wavefront: dict[str, Any],
 ) -> dict[str, Any]:
-    """Lists have a figure for each operation of ours whose errors were measured, that of the peers first."""
+    """Some are by operation: of ours those whose errors were measured, that of the peers first."""
     compared = headline[headline.worst_row.notna()]
     peers = compared[compared.kind == "peer"]
     plain = headline[(headline.kind != "copy") & (headline["shape"] == "plain")]
     curves = results[results.input.isin(headline.input) & (results.threads == 1)]
     listing = curves[curves.operation == "paper_listing"]
-    speed, batches, cases = [], [], []
+    speed, batches, cases = {}, {}, {}
     for operation, ours in compared[compared.kind == "ours"].groupby("operation", sort=False):
         curve = curves[curves.operation == operation]
         same = operation == SAMPLED
-        speed.append(in_both_modes(plots.speed_against_error, pd.concat([ours, peers]) if same else ours))
-        batches.append(in_both_modes(plots.throughput, curve, listing if same else None))
-        cases.append(in_both_modes(plots.error_per_case, error_series(errors, operation)))
+        rows = pd.concat([ours, peers]) if same else ours
+        speed[operation] = in_both_modes(plots.speed_against_error, rows)
+        batches[operation] = in_both_modes(plots.throughput, curve, listing if same else None)
+        cases[operation] = in_both_modes(plots.error_per_case, error_series(errors, operation))
     return {
         "speed_against_error": speed,
         "throughput": batches,

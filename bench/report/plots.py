@@ -18,7 +18,7 @@ from words import nice
 # The colours of style/*.mplstyle by what they stand for; a list's are taken in turn.
 PEER = "C5"
 OF_WARPS = ["C0", "C1", "C2", "C3", "C4"]
-OF_ISAS = ["C6", "C7", "C0", "C1", "C4", "C5"]
+OF_ISAS = {"scalar": "C6", "sse42": "C7", "avx2": "C0", "avx512": "C1", "neon": "C4"}
 MARKERS = ["o", "s", "^", "D", "v", "P"]
 DASHES = (0, (4, 3))
 
@@ -76,10 +76,10 @@ def speed_against_error(rows: pd.DataFrame) -> Figure:
     for (warp, points), marker in zip(ours.groupby("warp", sort=False), MARKERS):
         axes.plot(points.error, points.msamples, color=style("xtick.color"), lw=1, zorder=1)
         axes.plot([], [], marker, color=soft, label=f"vndf, {nice(warp)}")
-        for point, color in zip(points.itertuples(), OF_ISAS):
+        for point, color in zip(points.itertuples(), points.isa.map(OF_ISAS)):
             axes.plot(point.error, point.msamples, marker, color=color, mec=ground, ms=8, zorder=3)
-    for isa, color in zip(ours.isa.unique(), OF_ISAS):
-        axes.plot([], [], "s", color=color, label=nice(isa))
+    for isa in ours.isa.unique():
+        axes.plot([], [], "s", color=OF_ISAS[isa], label=nice(isa))
     for other, fill in ((False, PEER), (True, ground)):
         points = peers[(peers.does != ours.does.iloc[0]) == other]
         axes.plot(points.error, points.msamples, "X", mfc=fill, mec=PEER, ms=6.5, zorder=3)
@@ -122,9 +122,9 @@ def dots(axes: Axes, rows: pd.DataFrame, value: str) -> None:
     y = rows.group.map(dict(zip(first.group, range(len(first)))))
     ends = rows.groupby(y)[value].agg(["min", "max"])
     axes.hlines(ends.index, ends["min"], ends["max"], color=style("xtick.color"), lw=1.6)
-    for color, isa in zip(OF_ISAS, rows.isa.unique()):
+    for isa in rows.isa.unique():
         mine = rows.isa == isa
-        axes.plot(rows[value][mine], y[mine], "o", color=color, ms=5.5, label=nice(isa))
+        axes.plot(rows[value][mine], y[mine], "o", color=OF_ISAS[isa], ms=5.5, label=nice(isa))
     axes.set_xscale("log")
     warps = first.warp.map(lambda warp: "" if warp in ("none", "own") else f", {nice(warp)}")
     stripes(axes, list(first.operation.map(nice) + warps))
@@ -147,27 +147,27 @@ def overview(rows: pd.DataFrame) -> Figure:
 def legend_above(figure: Figure, axes: Axes) -> None:
     """A legend on top, and room for long names on the left."""
     height = figure.get_size_inches()[1]
-    figure.subplots_adjust(left=0.31, right=0.985, top=1 - 0.38 / height, bottom=0.5 / height)
+    figure.subplots_adjust(left=0.34, right=0.985, top=1 - 0.38 / height, bottom=0.5 / height)
     handles, names = axes.get_legend_handles_labels()
     figure.legend(handles, names, loc="upper right", ncol=len(names), bbox_to_anchor=(0.99, 1.0))
 
 
 def throughput(rows: pd.DataFrame, listing: pd.DataFrame | None) -> Figure:
     """One operation against the batch size, a panel per warp; the listing's rows where it does the same."""
-    warps, isas, counts = rows.warp.unique(), rows.isa.unique(), sorted(rows["count"].unique())
+    warps, isas = rows.warp.unique(), rows.isa.unique()
     figure, panels = plt.subplots(1, len(warps), figsize=(9, 3.7), sharey=True, squeeze=False)
     roof = rows.drop_duplicates("count").sort_values("count")
     for axes, warp in zip(panels[0], warps):
         axes.plot(roof["count"], 1e3 / roof.roof_ns, color=style("axes.labelcolor"), ls=DASHES, label="copy")
         series = [] if listing is None else [(listing, PEER, "paper listing")]
         mine = rows[rows.warp == warp]
-        series += [(mine[mine.isa == isa], color, nice(isa)) for isa, color in zip(isas, OF_ISAS)]
+        series += [(mine[mine.isa == isa], OF_ISAS[isa], nice(isa)) for isa in isas]
         for line, color, name in series:
             line = line.sort_values("count")
             axes.plot(line["count"], line.msamples, "o-", color=color, ms=3.5, label=name)
         axes.set_title(f"{nice(mine.operation.iloc[0])}, {nice(warp)}")
         axes.set(xscale="log", yscale="log", xlabel="samples per call")
-        axes.xaxis.set_major_locator(FixedLocator(counts))
+        axes.xaxis.set_major_locator(FixedLocator([1 << exponent for exponent in range(0, 24, 4)]))
         axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: binary(value)))
         axes.xaxis.set_minor_locator(NullLocator())
         axes.tick_params(axis="x", labelrotation=45)
@@ -185,7 +185,8 @@ def small_calls(rows: pd.DataFrame, operations: list[str]) -> Figure:
     figure, panels = plt.subplots(1, len(operations), figsize=(9, 3.7), sharey=True, squeeze=False)
     for axes, operation in zip(panels[0], operations):
         same = rows[rows.does == operation].sort_values("count")
-        for isa, color in zip(isas, OF_ISAS):
+        for isa in isas:
+            color = OF_ISAS[isa]
             for kind, dashes, name in (("ours", "-", nice(isa)), ("peer", DASHES, "")):
                 line = same[(same.isa == isa) & (same.kind == kind)]
                 axes.plot(line["count"], line.ns * line["count"], color=color, ls=dashes, lw=1.3, label=name or None)

@@ -87,7 +87,7 @@ def main() -> None:
         },
     }
     (out / "report.json").write_text(json.dumps(document, indent=1) + "\n")
-    for mode, svg in figures["speed_against_error"][0].items():
+    for mode, svg in figures["speed_against_error"]["sample_normals"].items():
         (out / f"speed_vs_error.{mode}.svg").write_text(svg)
 
     print(f"\n{INPUT}/{COUNT}, one core, errors over all hard cases in units of 2^-24\n")
