@@ -119,8 +119,8 @@ void write_statistics(const std::string& file, const Picture& picture, const Opt
 std::atomic<bool> interrupted{false};
 
 void run(const Options& options) {
-  Scene scene = scene_of(options);
   std::signal(SIGINT, [](int) { interrupted = true; });
+  Scene scene = scene_of(options);
   // A bar and the time that is left, where someone looks.
   using Time = std::chrono::steady_clock;
   const bool show = isatty(STDERR_FILENO);
