@@ -144,14 +144,13 @@ Scene default_scene() {
   Material shingles = metal(kSteel, 0.12f, 0.30f);
   shingles.kind = Kind::leaning;
   shingles.theta_x = 0.35f, shingles.theta_y = -0.25f, shingles.theta_z = 0.6f;
-  const struct {
-    double x, z, radius;
-    Material material;
-  } balls[] = {{-2.15, 1.35, 0.72, {Kind::dielectric, {0.93f, 0.98f, 0.96f}, 0.10f, 0.10f}},
-               {-0.55, 2.35, 0.42, {Kind::dielectric, {0.98f, 0.80f, 0.55f}, 0.22f, 0.22f}},
-               {2.05, 1.45, 0.70, {Kind::plastic, {0.42f, 0.03f, 0.035f}, 0.08f, 0.08f}},
-               {0.75, 2.4, 0.45, shingles}};
-  for (const auto& ball : balls) add_sphere(scene, {ball.x, height + ball.radius, ball.z}, ball.radius, ball.material);
+  auto add_ball = [&](double x, double z, double radius, const Material& material) {
+    add_sphere(scene, {x, height + radius, z}, radius, material);
+  };
+  add_ball(-2.15, 1.35, 0.72, {Kind::dielectric, {0.93f, 0.98f, 0.96f}, 0.10f, 0.10f});
+  add_ball(-0.55, 2.35, 0.42, {Kind::dielectric, {0.98f, 0.80f, 0.55f}, 0.22f, 0.22f});
+  add_ball(2.05, 1.45, 0.70, {Kind::plastic, {0.42f, 0.03f, 0.035f}, 0.08f, 0.08f});
+  add_ball(0.75, 2.4, 0.45, shingles);
   return scene;
 }
 

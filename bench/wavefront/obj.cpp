@@ -44,12 +44,9 @@ Material material_of(const tinyobj::material_t& given, TextureNumber texture) {
   m.eta = glass && given.ior > 0.f ? given.ior : given.ior > 1.001f ? given.ior : 1.5f;
   if (glass) m.color = largest(filter) > 0.f ? filter : Vec3(1.f);
   bool leans = m.theta_x != 0.f || m.theta_y != 0.f, turned = m.theta_z != 0.f || m.angle_map >= 0;
-  m.kind = metal                   ? (leans    ? Kind::leaning
-                                      : turned ? Kind::brushed
-                                               : Kind::conductor)
-           : glass                 ? Kind::dielectric
-           : given.roughness > 0.f ? Kind::plastic
-                                   : Kind::diffuse;
+  Kind of_metal = leans ? Kind::leaning : turned ? Kind::brushed : Kind::conductor;
+  Kind of_body = given.roughness > 0.f ? Kind::plastic : Kind::diffuse;
+  m.kind = metal ? of_metal : glass ? Kind::dielectric : of_body;
   return m;
 }
 
