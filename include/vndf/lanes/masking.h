@@ -3,8 +3,8 @@
 // Smith's functions are rational in v.z and a = |A v|, with A = diag(alpha_x, alpha_y, 1):
 // 1 + Lambda(v) = (a + v.z) / (2 v.z), and (a + v.z) / 2 is the projected area of what v sees.
 //
-// A masking has `shadowing(wi, shape)`, what it needs of the light's direction, and two functions for G2(wo, wi) /
-// G1(wo): `weight`, and `weight_across` where wi is on the other side of the surface.
+// A masking has `shadowing(wi, shape)`, what it needs of the light's direction, and `weight`, which is G2(wo, wi) /
+// G1(wo). Smith's is another where wi is on the other side of the surface: `quotient_across` or `beta_across`.
 #pragma once
 
 #include <vndf/lanes/beta.h>
@@ -88,21 +88,36 @@ struct Smith {
     return stretched_length(wi, shape);
   }
 
+  /// As quotients, so that where a lane takes the one or the other, one division takes both.
+  template <class F>
+  struct Quotient {
+    F numerator, denominator;
+  };
+  template <class F>
+  VNDF_INLINE Quotient<F> quotient(const SeenView<F>& view, F wi_z, F length_i) const {
+    if (masking == Masking::separable) return {(wi_z + wi_z) * view.area, (wi_z + length_i) * (view.z + view.length)};
+    return correlated(view, wi_z, length_i);
+  }
   template <class F>
   VNDF_INLINE F weight(const SeenView<F>& view, F wi_z, F length_i) const {
-    if (masking == Masking::separable)
-      return at_most_one(((wi_z + wi_z) * view.area) / ((wi_z + length_i) * (view.z + view.length)));
-    return at_most_one((wi_z * view.area) / (wi_z * view.length + length_i * view.z));
+    auto q = quotient(view, wi_z, length_i);
+    return at_most_one(q.numerator / q.denominator);
   }
 
-  /// Of all visible normals. `wi_z` is that of wi mirrored to the view's side.
+  /// Of all visible normals, unless it is the beta function. `wi_z` is that of wi mirrored to the view's side.
   template <class F>
-  VNDF_INLINE F weight_across(const SeenView<F>& view, F wi_z, F length_i) const {
-    if (across == AcrossMasking::as_reflection)
-      return at_most_one((wi_z * view.area) / (wi_z * view.length + length_i * view.z));
-    if (across == AcrossMasking::height_correlated)
-      return at_most_one(x_beta(smith_lambda(view.z, view.length), smith_lambda(wi_z, length_i)));
-    return at_most_one((wi_z + wi_z) / (wi_z + length_i));  // G1(wi)
+  VNDF_INLINE Quotient<F> quotient_across(const SeenView<F>& view, F wi_z, F length_i) const {
+    if (across == AcrossMasking::as_reflection) return correlated(view, wi_z, length_i);
+    return {wi_z + wi_z, wi_z + length_i};  // G1(wi)
+  }
+  template <class F>
+  static VNDF_INLINE F beta_across(const SeenView<F>& view, F wi_z, F length_i) {
+    return at_most_one(x_beta(smith_lambda(view.z, view.length), smith_lambda(wi_z, length_i)));
+  }
+
+  template <class F>
+  static VNDF_INLINE Quotient<F> correlated(const SeenView<F>& view, F wi_z, F length_i) {
+    return {wi_z * view.area, wi_z * view.length + length_i * view.z};
   }
 };
 constexpr Smith kHeightCorrelated{Masking::height_correlated};
@@ -139,10 +154,6 @@ struct Lunes {
   static VNDF_INLINE F weight(const SeenView<F>& view, F, const Shadowing<F>& light) {
     F larger = op::from_bits(op::max(op::bits(view.area), op::bits(view.z + view.z)));
     return at_most_one((view.area * light.numerator) / (larger * light.denominator));
-  }
-  template <class F>
-  static VNDF_INLINE F weight_across(const SeenView<F>& view, F wi_z, const Shadowing<F>& light) {
-    return weight(view, wi_z, light);
   }
 };
 constexpr Lunes kLunes;
