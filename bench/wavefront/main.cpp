@@ -64,7 +64,7 @@ Options parse_options(int argc, char** argv) {
   add("--isa", options.isa, "the library's instruction set");
   add("--embree", options.embree, "Embree's own configuration, as isa=sse4.2");
   add("--threads", task.threads, "0: as many as there are")->check(CLI::Range(0, 1024));
-  add("--time-limit", task.time_limit, "in seconds; what there is then is written")->check(CLI::NonNegativeNumber);
+  add("--time-limit", task.time_limit, "in seconds; what there is then is written");
   add("--out", options.out, "the picture, EXR (wavefront.exr)");
   add("--png", options.png, "the picture, tone-mapped");
   add("--statistics", options.statistics, "where times and counts go, JSON");
@@ -78,6 +78,7 @@ Options parse_options(int argc, char** argv) {
     require(crop[0] < crop[2] && crop[1] < crop[3] && crop[2] <= size[0] && crop[3] <= size[1], "--crop",
             "is empty, or not within the frame");
     require(samples[0] < samples[1], "--samples", "is empty");
+    require(task.time_limit >= 0., "--time-limit", "is no time");
     auto error = options.isa.empty() ? vndf::IsaError::none : vndf::set_isa(options.isa.c_str());
     require(error == vndf::IsaError::none, "--isa", vndf::message(error));
   } catch (const CLI::ParseError& error) {
