@@ -7,8 +7,8 @@
 
 namespace wavefront {
 
-/// Vertices that one call of the library takes.
-constexpr std::uint32_t kBatch = 512;
+/// Vertices that one call of the library takes. Not a power of two: see queues.h.
+constexpr std::uint32_t kBatch = 496;
 
 template <std::uint32_t N>
 struct Columns3 {

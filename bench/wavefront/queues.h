@@ -13,8 +13,9 @@
 
 namespace wavefront {
 
-/// Paths under way, and paths of the largest block of a frame.
-constexpr std::uint32_t kCapacity = 4096, kSlots = 16384;
+/// Paths under way, and paths of the largest block of a frame. Columns lie one behind the other: if they were a power
+/// of two long, the same items of all of them would compete for the same lines of the cache.
+constexpr std::uint32_t kCapacity = 4080, kSlots = 16384;
 
 struct Paths {
   std::uint32_t count = 0;
