@@ -4,6 +4,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <iomanip>
 #include <map>
@@ -79,6 +80,8 @@ Options parse_options(int argc, char** argv) {
             "is empty, or not within the frame");
     require(samples[0] < samples[1], "--samples", "is empty");
     require(task.time_limit >= 0., "--time-limit", "is no time");
+    for (const std::filesystem::path file : {options.out, options.png, options.statistics})  // before the hours of work
+      require(file.parent_path().empty() || is_directory(file.parent_path()), file.c_str(), "is in no folder");
     auto error = options.isa.empty() ? vndf::IsaError::none : vndf::set_isa(options.isa.c_str());
     require(error == vndf::IsaError::none, "--isa", vndf::message(error));
   } catch (const CLI::ParseError& error) {
