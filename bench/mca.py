@@ -142,8 +142,14 @@ def hottest_loop(code: list[Instruction]) -> list[Instruction]:
         (at[to], tail) for tail, to in enumerate(one.target() for one in code) if to in at and at[to] < tail
     ]
     inner = [(head, tail) for head, tail in back if not any(head < h and t < tail for h, t in back)]
-    ways = [way for head, tail in inner if (way := shortest_way(code, at, head, tail))]
-    return max(ways, key=lambda way: (sum(bool(ROOT.match(at.text)) for at in way), -len(way)), default=[])
+    ways: dict[int, list[Instruction]] = {}
+    for head, tail in inner:
+        way = shortest_way(code, at, head, tail)
+        if way and (head not in ways or len(way) < len(ways[head])):
+            ways[head] = way
+    return max(
+        ways.values(), key=lambda way: (sum(bool(ROOT.match(at.text)) for at in way), -len(way)), default=[]
+    )
 
 
 def loops(objdump: str, build: Path, isa: str) -> Iterator[Loop]:

@@ -115,6 +115,7 @@ struct Smith {
     return at_most_one(x_beta(smith_lambda(view.z, view.length), smith_lambda(wi_z, length_i)));
   }
 
+  /// (1 + Lambda(wo)) / (1 + Lambda(wo) + Lambda(wi)), Heitz 2014, eq. 99.
   template <class F>
   static VNDF_INLINE Quotient<F> correlated(const SeenView<F>& view, F wi_z, F length_i) {
     return {wi_z * view.area, wi_z * view.length + length_i * view.z};
