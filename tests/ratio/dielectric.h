@@ -75,7 +75,10 @@ struct Dielectric {
     float side = found[4].value[0];
     exact::Sample s = exact::sample_dielectric(warp, side > 0, {in[0], in[1], in[2]}, Surface::exact(&in[3]), in[kEta],
                                                in[kU], in[kU + 1]);
-    bool defined = s.normal.defined && (is_unit(wo) || side > 0), leaves = defined && height(in[2], side, s.wi.z) > 0;
+    // Where reflection is total by less than rounding, the library may still refract, along the facet.
+    bool passes = side > 0 || s.pdf > 0;
+    bool defined = s.normal.defined && passes && (is_unit(wo) || side > 0);
+    bool leaves = defined && height(in[2], side, s.wi.z) > 0;
     return {reference::exact_vector(at_most_one(found[0].value, s.wi), defined),
             exact_with(s.pdf_slack, s.pdf, defined && is_unit(wo)),
             exact_with(s.slack.correlated, s.weight.correlated, leaves),

@@ -136,6 +136,23 @@ const Row kRows[] = {
     {"evaluate_dielectric_tilted",
      {0x1.d979e6p-1f, -0x1.6b473ep-3f, 0x1.58c44ep-2f, 0x1.38099ep-3f, 0x1.83442p-1f, 0x1.45b46cp-1f, 0x1.ffffdap-1f,
       0x1.fff6a4p-1f, 0x1.000f6p+0f, 0x1.d4e6f8p-18f, 0x1.71d9fp-9f, 0x1.9cfb06p-4f}},
+    // Zen 5, 2026-11-27. Caps reached 365, 150, 89 and 30 here, where the rim of the cap cancels and where its pole
+    // underflows.
+    {"normals_spherical_cap",
+     {0x1.043f5cp-16f, -0x1.964acep-11f, 0x1.679p-16f, 0x1.0c2ac2p-20f, 0x1.47f34ep+6f, 0x1.b0f7cap-17f,
+      0x1.fff56p-1f}},
+    {"normals_spherical_cap",
+     {0.f, 0.f, 0x1.ffe958p+38f, 0x1.9p+6f, 0x1.54c57ep-17f, 0x1.460172p-15f, 0x1.ffe958p-53f}},
+    {"normals_spherical_cap",
+     {-0x1.9867dap-1f, 0x1.01b914p+0f, 0x1.912bp-2f, 0x1.4826e8p+6f, 0x1.1f3698p-14f, 0x1.7c63b6p-10f, 0x1.fb5c36p-1f}},
+    {"reflection_spherical_cap",
+     {-0x1.ffe9cep-1f, 0x1.38ab8cp-8f, 0x1.ad3p-6f, 0x1.0c2ca2p+6f, 0x1.003a82p-13f, 0x1.1eb364p-8f, 0x1.f1ebbp-1f}},
+    {"reflection_bounded_spherical_cap",
+     {0x1.23c9b2p-11f, -0x1.c0e93ap-12f, 0x1.00001ep+0f, 0x1.a7669cp-1f, 0x1.fe342ap-1f, 0x1.ee20dcp-4f,
+      0x1.952292p-21f}},
+    {"dielectric_polar",
+     {0x1.d6fbdep-2f, 0x1.8d6eb6p-62f, -0x1.c6a0f6p-1f, 0x1.4289ep-2f, 0x1.0be3dap-8f, 0x1.db3b06p+2f, 0x1.ab45fap-2f,
+      0x1.87d2b2p-1f, 0x1.f2a334p-1f}},
 };
 
 TEST(Found, StaysWithinTheBounds) {

@@ -48,8 +48,8 @@ VNDF_INLINE CapPoint<F> concentric_cap_map(const Wedge<F>& w) {
 /// (1 + z) : (1 - z) is plus : minus, with plus + minus = 2 |A V| and plus minus = r2, neither a difference.
 template <class F>
 struct CapView {
-  F x, y, r2;  // r2 = x^2 + y^2
-  F length, abs_z;
+  F x, y, z, r2;  // r2 = x^2 + y^2
+  F length;
   F plus, minus;
   F scale;  // the power of two
 };
@@ -83,7 +83,7 @@ VNDF_INLINE CapView<F> cap_view(const Vec3<F>& h, Azimuth azimuth = {}) {
   F large = length + abs_z;
   F small = r2 / large;
   auto below = z < F(0.f);
-  return {x, y, r2, length, abs_z, op::select(below, small, large), op::select(below, large, small), scale};
+  return {x, y, z, r2, length, op::select(below, small, large), op::select(below, large, small), scale};
 }
 
 /// A visible normal from a cap, of any length, and `per_cos`, |nh|^2 / (2 A V.nh) for the scaled view.
@@ -94,8 +94,8 @@ struct CapNormal {
 };
 
 /// Keeps a normal from being shorter than 2^-63 where u2 is nearly 0 and the view is along the normal: its height would
-/// vanish with r^2, though its direction does not.
-constexpr float kPole = 0x1p-68f;
+/// vanish with r^2, though its direction does not. Tilts a normal of that view by at most 2^-38.
+constexpr float kPole = 0x1p-78f;
 
 /// c + Vh from its component towards the view's azimuth, its component across and its height.
 template <class F>
@@ -106,15 +106,18 @@ VNDF_INLINE Vec3<F> along_view(const CapView<F>& view, F toward, F across, F z) 
 /// The cap c.z >= -Vh.z, the directions that all visible normals reflect the view to (Dupuy and Benyoub 2023).
 ///
 /// With G = minus + v plus and S = sqrt(u2 minus G), and the factor (S + minus) |A V|: the component towards the view
-/// is (1 - cos phi) (u2 G + S) - v (u2 plus - minus), that across -sin phi (u2 G + S), and the height v plus (S +
-/// minus).
+/// is (1 - cos phi) (u2 G + S) - v fall, that across -sin phi (u2 G + S), and the height v plus (S + minus).
+///
+/// fall = u2 plus - minus = 2 A V.z - v plus: the one form loses digits at the rim of the cap, the other at its pole.
 template <class F>
 VNDF_INLINE CapNormal<F> on_cap(const CapView<F>& view, const CapPoint<F>& c) {
   F v_plus = c.v * view.plus;
   F g = view.minus + v_plus;
-  F s = op::sqrt((c.u2 * view.minus) * g);
-  F w = c.u2 * g + s;
-  F toward = c.phi.versine * w - c.v * (c.u2 * view.plus - view.minus);
+  F u2_g = c.u2 * g;
+  F s = op::sqrt(u2_g * view.minus);
+  F w = u2_g + s;
+  F fall = op::select(c.v < F(0.5f), (view.z + view.z) - v_plus, c.u2 * view.plus - view.minus);
+  F toward = c.phi.versine * w - c.v * fall;
   F per_cos = (s + view.minus) + F(kPole);
   return {along_view(view, toward, c.phi.minus_sin * w, v_plus * per_cos), per_cos};
 }
@@ -143,19 +146,23 @@ VNDF_INLINE Bound<F> reflection_bound(Vec3<F> wo, Vec2<F> alpha) {
 /// The cap c.z >= -k Vh.z, for views with z >= 0.
 ///
 /// With d = v (|A V| + k z) and R = sqrt(u2 (|A V|^2 - (k z)^2 + (|A V| + k z) d)), the root of |A V|^2 sin_c^2, and
-/// the factor (R + r) |A V| r: the component towards the view is (1 - cos phi) R (R + r) - (u2 (|A V| + k z) - minus)
-/// (d + (1 - k) z), that across -sin phi R (R + r), the height (d + (1 - k) z) (R + r).
+/// the factor (R + r) |A V| r: the component towards the view is (1 - cos phi) R (R + r) - fall (d + (1 - k) z), that
+/// across -sin phi R (R + r), the height (d + (1 - k) z) (R + r). Again there are two forms of a difference: fall =
+/// u2 (|A V| + k z) - minus = (1 + k) z - d.
 template <class F>
 VNDF_INLINE CapNormal<F> on_bounded_cap(const CapView<F>& view, const Bound<F>& bound, const CapPoint<F>& c) {
-  F height = view.length + bound.k * view.abs_z;
-  F rest = bound.one_minus_k * view.abs_z;
-  F radius2 = view.r2 + (rest * (F(1.f) + bound.k)) * view.abs_z;
+  F abs_z = op::abs(view.z);
+  F height = view.length + bound.k * abs_z;
+  F rest = bound.one_minus_k * abs_z;
+  F whole = (F(1.f) + bound.k) * abs_z;
+  F radius2 = view.r2 + rest * whole;
   F d = c.v * height;
   F h_z = d + rest;
   F r2 = c.u2 * (radius2 + height * d);
   F rr = op::sqrt(r2 * view.r2);
   F w = r2 + rr;
-  F toward = c.phi.versine * w - (c.u2 * height - view.minus) * h_z;
+  F fall = op::select(c.v < F(0.5f), whole - d, c.u2 * height - view.minus);
+  F toward = c.phi.versine * w - fall * h_z;
   F per_cos = (rr + view.r2) + F(kPole);
   return {along_view(view, toward, c.phi.minus_sin * w, h_z * per_cos), per_cos};
 }
