@@ -7,33 +7,31 @@ namespace {
 
 /// Sheets are seen from both sides, and normal maps turn normals away from the view.
 vndf::ReflectionOptions two_sided(bool bounded) {
-  vndf::ReflectionOptions options;
-  options.bounded = bounded, options.two_sided = true;
-  return options;
+  return {vndf::Masking::height_correlated, bounded, true};
 }
 
 /// Normals by their own distribution, as before Heitz and d'Eon 2014. They are the visible ones of a view along n, for
 /// which G1 is 1 and wo.wm is wm.z.
 const vndf::Columns3 kAlongN{0.f, 0.f, 1.f};
 
-template <class Surface>
-void evaluate_by_ndf(const Surface& surface, Batch& b, Directions& d) {
+template <class Microfacets>
+void evaluate_by_ndf(const Microfacets& surface, Batch& b, Directions& d) {
   vndf::evaluate_reflection(b.count, b.wo, d.w, surface, {d.value, d.pdf, d.cosine}, two_sided(false));
   for (std::uint32_t i = 0; i < b.count; ++i) {
     Vec3 h = b.wo.get(i) + d.w.get(i);
     h.z = std::abs(h.z);  // seen from below, all is mirrored
-    b.normal.set(i, (1.f / std::max(h.length(), 1e-15f)) * h);
+    b.scratch.set(i, (1.f / std::max(h.length(), 1e-15f)) * h);
   }
-  vndf::pdf_normals(b.count, kAlongN, b.normal, surface, b.spare);
+  vndf::pdf_normals(b.count, kAlongN, b.scratch, surface, b.spare);
   for (std::uint32_t i = 0; i < b.count; ++i)
     if (d.pdf[i] > 0.f) d.pdf[i] = b.spare[i] / (4.f * std::max(d.cosine[i], 1e-15f));
 }
-template <class Surface>
-void shade_by_ndf(const Surface& surface, vndf::Warp warp, Batch& b) {
+template <class Microfacets>
+void shade_by_ndf(const Microfacets& surface, vndf::Warp warp, Batch& b) {
   Directions& next = b.next;
-  vndf::sample_normals(warp, b.count, kAlongN, surface, {b.u.x, b.u.y}, b.normal);
+  vndf::sample_normals(warp, b.count, kAlongN, surface, {b.u.x, b.u.y}, b.scratch);
   for (std::uint32_t i = 0; i < b.count; ++i) {
-    Vec3 wo = b.wo.get(i), wm = b.normal.get(i);
+    Vec3 wo = b.wo.get(i), wm = b.scratch.get(i);
     wm.z = std::copysign(wm.z, wo.z);
     next.w.set(i, 2.f * wo.dot(wm) * wm - wo);
   }

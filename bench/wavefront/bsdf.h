@@ -33,14 +33,25 @@ struct Directions {
   Columns3<kBatch> w;
   float value[kBatch], pdf[kBatch], cosine[kBatch];
 };
-/// Columns of a batch, in the local shading frame. Views from below are within glass, and mirrored for all else.
 struct Batch {
   std::uint32_t count = 0;
+
+  // The library's columns, in the local shading frame. Views from below are within glass, and mirrored for all else.
   Columns3<kBatch> wo, u;
   float alpha_x[kBatch], alpha_y[kBatch], theta_x[kBatch], theta_y[kBatch], theta_z[kBatch], eta[kBatch];
   Directions light, next;
-  Columns3<kBatch> normal;
+  Columns3<kBatch> scratch;
   float spare[kBatch];
+
+  // What else the renderer knows of the vertices.
+  std::uint32_t path[kBatch];
+  const Material* material[kBatch];
+  Surface surface[kBatch];
+  Frame frame[kBatch];
+  Vec3 color[kBatch];
+  Columns3<kBatch> light_u;
+  LightSample light_sample[kBatch];
+  float keep[kBatch];  // the random number of Russian roulette
 };
 
 /// Samples the BSDF for `next`, and evaluates it for `light`.

@@ -6,15 +6,7 @@ namespace wavefront {
 namespace {
 
 using Imath::V3d;
-constexpr double kTurn = 6.283185307179586;
-
-/// Rounded to 2^-16: the last bits of sines differ between machines.
-float rounded(double a) {
-  return static_cast<float>(std::floor(a * 65536 + 0.5) / 65536);
-}
-Vec3 rounded(const V3d& p) {
-  return {rounded(p.x), rounded(p.y), rounded(p.z)};
-}
+constexpr double kHeight = 0.15;  // of the disc that things stand on
 
 struct Index {
   Vec3 n, k;  // at about 630, 532 and 465 nm, rounded
@@ -26,7 +18,9 @@ Material metal(const Index& index, float alpha_x, float alpha_y) {
   return {Kind::conductor, Vec3(0.f), alpha_x, alpha_y, index.n, index.k};
 }
 
-void add_sphere(Scene& scene, const V3d& center, double radius, const Material& material) {
+/// On the disc.
+void add_sphere(Scene& scene, double x, double z, double radius, const Material& material) {
+  V3d center(x, kHeight + radius, z);
   scene.spheres.push_back({rounded(center), rounded(radius), static_cast<int>(scene.materials.size())});
   scene.materials.push_back(material);
 }
@@ -39,7 +33,7 @@ void add_surface(Scene& scene, int us, int vs, const Material& material, At corn
     for (int j = 0; j < vs; ++j) {
       Corner a = corner(i, j), b = corner(i + 1, j), c = corner(i + 1, j + 1), d = corner(i, j + 1);
       for (const Triangle& t : {Triangle{{a, b, c}, number}, Triangle{{a, c, d}, number}})
-        if (t.area() != Vec3(0.f)) scene.triangles.push_back(t);
+        if (t.cross() != Vec3(0.f)) scene.triangles.push_back(t);
     }
 }
 void add_rectangle(Scene& scene, Vec3 corner, Vec3 u, Vec3 v, const Material& material) {
@@ -48,15 +42,15 @@ void add_rectangle(Scene& scene, Vec3 corner, Vec3 u, Vec3 v, const Material& ma
 }
 
 /// A round plate on the ground: its top has the one material, its rim the other.
-void add_disc(Scene& scene, double radius, double height, const Material& top, const Material& rim) {
+void add_disc(Scene& scene, double radius, const Material& top, const Material& rim) {
   auto at = [&](int i, double r, double y, bool outward) {
     double c = std::cos(kTurn * i / 256), s = std::sin(kTurn * i / 256);
     Vec3 n = outward ? normalize(rounded({c, 0, -s})) : Vec3(0.f, 1.f, 0.f);
     return Corner{
         rounded({r * radius * c, y, -r * radius * s}), n, {rounded(0.5 + 0.5 * r * c), rounded(0.5 + 0.5 * r * s)}};
   };
-  add_surface(scene, 256, 1, top, [&](int i, int j) { return at(i, j, height, false); });
-  add_surface(scene, 256, 1, rim, [&](int i, int j) { return at(i, 1, height * j, true); });
+  add_surface(scene, 256, 1, top, [&](int i, int j) { return at(i, j, kHeight, false); });
+  add_surface(scene, 256, 1, rim, [&](int i, int j) { return at(i, 1, kHeight * j, true); });
 }
 
 /// A trefoil knot that stands upright: a tube of radius `tube` about (sin t + 2 sin 2t, cos t - 2 cos 2t, -sin 3t).
@@ -124,11 +118,10 @@ Scene default_scene() {
   panel.emission = {3.2f, 3.4f, 3.7f};
   add_rectangle(scene, {3.2f, 4.8f, 6.f}, {4.f, 0.9f, -4.8f}, {-1.8f, 3.3f, 0.9f}, panel);
 
-  const double height = 0.15;
   scene.textures.push_back(engine_turned(1024, 11));
   Material turned = metal(kSteel, 0.12f, 0.34f);
   turned.kind = Kind::brushed, turned.angle_map = 0;
-  add_disc(scene, 5.2, height, turned, metal(kGold, 0.12f, 0.12f));
+  add_disc(scene, 5.2, turned, metal(kGold, 0.12f, 0.12f));
 
   // Arcs of spheres: roughness grows from left to right, anisotropy from the front arc to the one behind.
   const Index metals[] = {kCopper, kSilver, kGold};
@@ -136,21 +129,18 @@ Scene default_scene() {
     for (int i = 0; i < 7 + 2 * arc; ++i) {
       double share = (i + 0.5) / (7 + 2 * arc), angle = kTurn * (0.5 - 0.5 * share), away = 2.75 + 0.85 * arc, r = 0.30;
       float alpha = rounded(0.08 + 0.5 * share * share), root = std::sqrt(1.f + 2.f * static_cast<float>(arc));
-      add_sphere(scene, {away * std::cos(angle), height + r, -away * std::sin(angle)}, r,
+      add_sphere(scene, away * std::cos(angle), -away * std::sin(angle), r,
                  metal(metals[arc], std::min(1.f, alpha * root), alpha / root));
     }
-  add_knot(scene, {0, height + 1.22, -0.5}, 0.37, 0.66, metal(kGold, 0.16f, 0.16f));
+  add_knot(scene, {0, kHeight + 1.22, -0.5}, 0.37, 0.66, metal(kGold, 0.16f, 0.16f));
 
   Material shingles = metal(kSteel, 0.12f, 0.30f);
   shingles.kind = Kind::leaning;
   shingles.theta_x = 0.35f, shingles.theta_y = -0.25f, shingles.theta_z = 0.6f;
-  auto add_ball = [&](double x, double z, double radius, const Material& material) {
-    add_sphere(scene, {x, height + radius, z}, radius, material);
-  };
-  add_ball(-2.15, 1.35, 0.72, {Kind::dielectric, {0.93f, 0.98f, 0.96f}, 0.10f, 0.10f});
-  add_ball(-0.55, 2.35, 0.42, {Kind::dielectric, {0.98f, 0.80f, 0.55f}, 0.22f, 0.22f});
-  add_ball(2.05, 1.45, 0.70, {Kind::plastic, {0.42f, 0.03f, 0.035f}, 0.08f, 0.08f});
-  add_ball(0.75, 2.4, 0.45, shingles);
+  add_sphere(scene, -2.15, 1.35, 0.72, {Kind::dielectric, {0.93f, 0.98f, 0.96f}, 0.10f, 0.10f});
+  add_sphere(scene, -0.55, 2.35, 0.42, {Kind::dielectric, {0.98f, 0.80f, 0.55f}, 0.22f, 0.22f});
+  add_sphere(scene, 2.05, 1.45, 0.70, {Kind::plastic, {0.42f, 0.03f, 0.035f}, 0.08f, 0.08f});
+  add_sphere(scene, 0.75, 2.4, 0.45, shingles);
   return scene;
 }
 

@@ -1,14 +1,16 @@
-#include "images.h"
-
+// Textures, and files of pictures: EXR and PNG.
 #include <filesystem>
 #include <stdexcept>
 
+#include <ImathFun.h>
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
 #include <png.h>
+
+#include "render.h"
 
 namespace wavefront {
 namespace {
@@ -18,10 +20,10 @@ namespace {
 }
 
 /// Of Vec3 pixels, whose first has the coordinates of the window's corner.
-Imf::FrameBuffer frame_buffer(Vec3* pixels, const Imath::Box2i& window) {
+Imf::FrameBuffer frame_buffer(const Vec3* pixels, const Imath::Box2i& window) {
   auto stride = static_cast<std::size_t>(window.size().x + 1) * sizeof(Vec3);
   Imf::FrameBuffer buffer;
-  float* first = &pixels->x;
+  const float* first = &pixels->x;
   for (const char* name : {"R", "G", "B"})
     buffer.insert(name, Imf::Slice::Make(Imf::FLOAT, first++, window, sizeof(Vec3), stride));
   return buffer;
@@ -40,16 +42,9 @@ Texture read_exr(const std::string& file) try {
   fail(file, "cannot be read as EXR");
 }
 
-png_image png_of(std::uint32_t width, std::uint32_t height) {
+Texture read_png(const std::string& file, bool colors) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
-  image.width = width, image.height = height;
-  image.format = PNG_FORMAT_LINEAR_RGB;  // 16 bits
-  return image;
-}
-
-Texture read_png(const std::string& file, bool colors) {
-  png_image image = png_of(0, 0);
   if (!png_image_begin_read_from_file(&image, file.c_str())) fail(file, image.message);
   image.format = colors ? PNG_FORMAT_LINEAR_RGB : PNG_FORMAT_RGB;  // 16 bits, or 8
   Texture t{static_cast<int>(image.width), static_cast<int>(image.height), {}};
@@ -67,29 +62,25 @@ float film_curve(float a) {
   return a * (a * 2.51f + 0.03f) / (a * (a * 2.43f + 0.59f) + 0.14f);  // Narkowicz 2015, a fit of ACES
 }
 
-/// The texel of a column and a row, which wrap around.
-const Vec3& texel(const Texture& t, float x, float y) {
-  int column = static_cast<int>(x) % t.width, row = static_cast<int>(y) % t.height;
-  if (column < 0) column += t.width;
-  return t.texels[static_cast<std::size_t>(row < 0 ? row + t.height : row) * t.width + column];
-}
 /// uv in texels.
 Vec2 place(const Texture& t, Vec2 uv) {
   return {(uv.x - std::floor(uv.x)) * t.width, (1.f - (uv.y - std::floor(uv.y))) * t.height};
+}
+const Vec3& texel(const Texture& t, float x, float y) {
+  int column = Imath::modp(static_cast<int>(x), t.width), row = Imath::modp(static_cast<int>(y), t.height);
+  return t.texels[static_cast<std::size_t>(row) * t.width + column];
 }
 
 }  // namespace
 
 Vec3 Texture::nearest(Vec2 uv) const {
   Vec2 p = place(*this, uv);
-  return texel(*this, std::floor(p.x), std::floor(p.y));
+  return texel(*this, p.x, p.y);
 }
 Vec3 Texture::look_up(Vec2 uv) const {
   Vec2 p = place(*this, uv) - Vec2(0.5f), first(std::floor(p.x), std::floor(p.y)), share = p - first;
-  auto row = [&](float y) {
-    return (1.f - share.x) * texel(*this, first.x, y) + share.x * texel(*this, first.x + 1.f, y);
-  };
-  return (1.f - share.y) * row(first.y) + share.y * row(first.y + 1.f);
+  auto row = [&](float y) { return Imath::lerp(texel(*this, first.x, y), texel(*this, first.x + 1.f, y), share.x); };
+  return Imath::lerp(row(first.y), row(first.y + 1.f), share.y);
 }
 
 Texture read_texture(const std::string& file, bool colors) {
@@ -101,25 +92,26 @@ Texture read_texture(const std::string& file, bool colors) {
   return texture;
 }
 
-void write_exr(const std::string& file, int width, int height, const Window& window,
-               const std::vector<Vec3>& pixels) try {
-  Imath::Box2i data({window.x0, window.y0}, {window.x1 - 1, window.y1 - 1});
-  Imf::Header header({{0, 0}, {width - 1, height - 1}}, data);
-  header.compression() = Imf::ZIP_COMPRESSION;
+void write_exr(const std::string& file, const Task& task, const std::vector<Vec3>& pixels) try {
+  const Imath::V2i one(1);
+  Imath::Box2i window(task.crop.min, task.crop.max - one);
+  Imf::Header header({{0, 0}, task.size - one}, window);
   for (const char* name : {"R", "G", "B"}) header.channels().insert(name, Imf::Channel(Imf::FLOAT));
   Imf::OutputFile output(file.c_str(), header, 1);
-  output.setFrameBuffer(frame_buffer(const_cast<Vec3*>(pixels.data()), data));
-  output.writePixels(window.y1 - window.y0);
+  output.setFrameBuffer(frame_buffer(pixels.data(), window));
+  output.writePixels(task.crop.size().y);
 } catch (const Iex::BaseExc&) {
   fail(file, "cannot be written");
 }
 
-void write_png(const std::string& file, const Window& window, const std::vector<Vec3>& pixels) {
+void write_png(const std::string& file, const Task& task, const std::vector<Vec3>& pixels) {
   std::vector<png_uint_16> words;  // linear: libpng makes sRGB of them
   for (const Vec3& p : pixels)
     for (float v : {p.x, p.y, p.z})
       words.push_back(static_cast<png_uint_16>(65535.f * std::min(1.f, film_curve(v)) + 0.5f));
-  png_image image = png_of(window.width(), window.height());
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION, image.format = PNG_FORMAT_LINEAR_RGB;
+  image.width = task.crop.size().x, image.height = task.crop.size().y;
   if (!png_image_write_to_file(&image, file.c_str(), 1, words.data(), 0, nullptr)) fail(file, image.message);
 }
 

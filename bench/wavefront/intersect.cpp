@@ -1,5 +1,3 @@
-#include "intersect.h"
-
 #if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>
 #else
@@ -11,6 +9,8 @@
 #include <stdexcept>
 
 #include <tbb/task_arena.h>
+
+#include "scene.h"
 
 namespace wavefront {
 namespace {
@@ -29,16 +29,11 @@ void rtcOccluded1(RTCScene tree, RTCRay* ray) {
 }
 #endif
 
-RTCRay ray_of(Vec3 origin, Vec3 direction, float distance) {
-  RTCRay ray{};
-  ray.org_x = origin.x, ray.org_y = origin.y, ray.org_z = origin.z;
-  ray.dir_x = direction.x, ray.dir_y = direction.y, ray.dir_z = direction.z;
-  ray.tfar = distance;
-  ray.mask = ~0u;
-  return ray;
+RTCRay ray_of(Vec3 o, Vec3 d, float distance) {
+  return {o.x, o.y, o.z, 0.f, d.x, d.y, d.z, 0.f, distance, ~0u, 0, 0};
 }
 
-Surface triangle_at(const Triangle& triangle, Vec3 origin, Vec3 direction) {
+Surface hit_at(const Triangle& triangle, Vec3 origin, Vec3 direction) {
   // Moeller and Trumbore 1997. Barycentric coordinates are clamped: Embree's may have been inside where these are not.
   const Corner *a = &triangle.corners[0], *b = a + 1, *c = a + 2;
   Vec3 ab = triangle.edge(1), ac = triangle.edge(2), p = direction.cross(ac), way = origin - a->position;
@@ -51,11 +46,11 @@ Surface triangle_at(const Triangle& triangle, Vec3 origin, Vec3 direction) {
   if (smooth.dot(normal) < 0.f) normal = -normal;  // the normals say which side is outside, not the winding
   Vec2 uv1 = b->uv - a->uv, uv2 = c->uv - a->uv;
   Vec3 along_u = std::copysign(1.f, uv1.cross(uv2)) * (uv2.y * ab - uv1.y * ac);
-  return {a->position + v * ab + w * ac, normal, smooth, along_u,
-          mixed([](const Corner& corner) { return corner.uv; })};
+  Vec2 uv = mixed([](const Corner& corner) { return corner.uv; });
+  return {a->position + v * ab + w * ac, normal, smooth, along_u, uv};
 }
 
-Surface sphere_at(const Sphere& sphere, Vec3 origin, Vec3 direction) {
+Surface hit_at(const Sphere& sphere, Vec3 origin, Vec3 direction) {
   // The nearest root in front of the ray, from the point of the ray that is nearest to the middle.
   Vec3 way = sphere.center - origin;
   float along = way.dot(direction);
@@ -65,11 +60,8 @@ Surface sphere_at(const Sphere& sphere, Vec3 origin, Vec3 direction) {
   Vec3 normal = normalize(off + (inside < 0.f || along - half < 0.f ? half : -half) * direction);
   // Without an arc function, uv is the place on the octahedron.
   float inv = 1.f / (std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z));
-  return {sphere.center + sphere.radius * normal,
-          normal,
-          normal,
-          {normal.z, 0.f, -normal.x},
-          {0.5f + 0.5f * normal.x * inv, 0.5f + 0.5f * normal.y * inv}};
+  Vec2 uv{0.5f + 0.5f * normal.x * inv, 0.5f + 0.5f * normal.y * inv};
+  return {sphere.center + sphere.radius * normal, normal, normal, {normal.z, 0.f, -normal.x}, uv};
 }
 
 }  // namespace
@@ -85,15 +77,14 @@ void build_tree(Scene& scene, const std::string& configuration) {
   auto* indices = static_cast<unsigned*>(
       rtcSetNewGeometryBuffer(triangles, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, scene.triangles.size()));
   std::iota(indices, indices + corners, 0u);
-  auto* positions = static_cast<Vec3*>(
-      rtcSetNewGeometryBuffer(triangles, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3), corners));
+  auto* positions =
+      static_cast<Vec3*>(rtcSetNewGeometryBuffer(triangles, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, corners));
   for (const Triangle& t : scene.triangles)
     for (const Corner& corner : t.corners) *positions++ = corner.position;
   RTCGeometry spheres = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_SPHERE_POINT);
-  auto* balls = static_cast<Imath::V4f*>(rtcSetNewGeometryBuffer(spheres, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4,
-                                                                 sizeof(Imath::V4f), scene.spheres.size()));
-  for (const Sphere& sphere : scene.spheres)
-    *balls++ = Imath::V4f(sphere.center.x, sphere.center.y, sphere.center.z, sphere.radius);
+  auto* balls = static_cast<Imath::V4f*>(
+      rtcSetNewGeometryBuffer(spheres, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 16, scene.spheres.size()));
+  for (const auto& [center, radius, material] : scene.spheres) *balls++ = {center.x, center.y, center.z, radius};
   for (RTCGeometry geometry : {triangles, spheres}) {  // they get the numbers 0 and 1
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene.tree.get(), geometry);
@@ -124,9 +115,7 @@ bool occluded(const Scene& scene, Vec3 origin, Vec3 direction, float distance) {
 }
 
 Surface surface_at(const Scene& scene, Primitive primitive, Vec3 origin, Vec3 direction) {
-  std::size_t triangles = scene.triangles.size();
-  return primitive < triangles ? triangle_at(scene.triangles[primitive], origin, direction)
-                               : sphere_at(scene.spheres[primitive - triangles], origin, direction);
+  return scene.of_shape(primitive, [&](const auto& shape) { return hit_at(shape, origin, direction); });
 }
 
 }  // namespace wavefront

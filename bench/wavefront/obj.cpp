@@ -2,43 +2,41 @@
 // our own: lean_x and lean_y, theta_x and theta_y in turns, and map_anisor.
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <stdexcept>
 
 #include <ImathBox.h>
 #include <tiny_obj_loader.h>
 
-#include "images.h"
+#include "scene.h"
 
 namespace wavefront {
 namespace {
 
 /// A complex index 1 + i k that has `r` as its reflectance along the normal.
 float absorption(float r) {
-  r = std::max(0.01f, std::min(r, 0.99f));
+  r = std::clamp(r, 0.01f, 0.99f);
   return 2.f * std::sqrt(r / (1.f - r));
 }
 
-/// Textures are read once for every material that names them.
-template <class TextureNumber>
-Material material_of(const tinyobj::material_t& given, TextureNumber texture) {
-  auto own = [&](const char* key) {
-    auto found = given.unknown_parameter.find(key);
-    return found == given.unknown_parameter.end() ? std::string() : found->second;
-  };
-  auto turns = [](const std::string& number) { return 2.f * kPi * std::strtof(number.c_str(), nullptr); };
+/// `texture` answers the number of the one that a file has.
+template <class Texture>
+Material material_of(tinyobj::material_t given, Texture texture) {
+  auto& own = given.unknown_parameter;
+  auto turns = [&](const char* key) { return 2.f * kPi * std::strtof(own[key].c_str(), nullptr); };
   Material m;
   m.color = Vec3(given.diffuse[0], given.diffuse[1], given.diffuse[2]);
   m.emission = Vec3(given.emission[0], given.emission[1], given.emission[2]);
   Vec3 filter(given.transmittance[0], given.transmittance[1], given.transmittance[2]);
   float alpha = given.roughness * given.roughness;
-  float aspect = std::sqrt(1.f - 0.9f * std::min(1.f, std::max(0.f, given.anisotropy)));  // Burley 2012
+  float aspect = std::sqrt(1.f - 0.9f * std::clamp(given.anisotropy, 0.f, 1.f));  // Burley 2012
   m.alpha_x = std::max(1e-3f, alpha / aspect), m.alpha_y = std::max(1e-3f, alpha * aspect);
-  m.theta_x = turns(own("lean_x")), m.theta_y = turns(own("lean_y"));
+  m.theta_x = turns("lean_x"), m.theta_y = turns("lean_y");
   m.theta_z = 2.f * kPi * given.anisotropy_rotation;
   m.n = Vec3(1.f), m.k = {absorption(m.color.x), absorption(m.color.y), absorption(m.color.z)};
   m.color_map = texture(given.diffuse_texname, true);
   m.roughness_map = texture(given.roughness_texname, false);
-  m.angle_map = texture(own("map_anisor"), false);
+  m.angle_map = texture(own["map_anisor"], false);
   m.normal_map = texture(given.normal_texname, false);
   bool metal = given.metallic >= 0.5f, glass = !metal && (largest(filter) > 0.f || given.dissolve < 0.5f);
   m.eta = glass && given.ior > 0.f ? given.ior : given.ior > 1.001f ? given.ior : 1.5f;
@@ -59,14 +57,12 @@ Scene read_obj(const std::string& file) {
   if (reader.Warning().find("not found") != std::string::npos) fail("a material, or a file of them, is not found");
   const auto& attributes = reader.GetAttrib();
   Scene scene;
-  std::vector<std::string> names;  // of textures
+  std::map<std::string, int> numbers;  // of textures: each is read once
   auto texture = [&](const std::string& name, bool colors) {
     if (name.empty()) return -1;
-    auto found = std::find(names.begin(), names.end(), name);
-    if (found != names.end()) return static_cast<int>(found - names.begin());
-    scene.textures.push_back(read_texture(std::filesystem::path(file).parent_path() / name, colors));
-    names.push_back(name);
-    return static_cast<int>(names.size()) - 1;
+    auto [number, is_new] = numbers.try_emplace(name, static_cast<int>(numbers.size()));
+    if (is_new) scene.textures.push_back(read_texture(std::filesystem::path(file).parent_path() / name, colors));
+    return number->second;
   };
   for (const auto& given : reader.GetMaterials()) scene.materials.push_back(material_of(given, texture));
   const auto plain = static_cast<int>(scene.materials.size());
@@ -91,7 +87,7 @@ Scene read_obj(const std::string& file) {
       int material = shape.mesh.material_ids[t];
       Triangle triangle{{corner(i[0]), corner(i[1]), corner(i[2])}, material < 0 ? plain : material};
       auto is_length = [](Vec3 v) { return v.dot(v) > 1e-36f && v.dot(v) < 1e36f; };
-      if (!is_length(triangle.area())) fail("triangle " + std::to_string(t + 1) + " has no area, or too much");
+      if (!is_length(triangle.cross())) fail("triangle " + std::to_string(t + 1) + " has no area, or too much");
       for (const Corner& c : triangle.corners)
         if (!is_length(c.normal)) fail("triangle " + std::to_string(t + 1) + " has a normal of no length");
       scene.triangles.push_back(triangle);

@@ -2,14 +2,9 @@
 // two path queues; what shading lets live is appended to the other, which is all the compaction there is.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <ctime>
-#include <memory>
 
-#include "bsdf.h"
-#include "images.h"
-#include "lights.h"
+#include "render.h"
 
 namespace wavefront {
 
@@ -17,62 +12,49 @@ namespace wavefront {
 /// of two long, the same items of all of them would compete for the same lines of the cache.
 constexpr std::uint32_t kCapacity = 4080, kSlots = 16384;
 
-struct Paths {
+/// Rays, and the share of the light that they find which reaches the camera.
+struct Rays {
   std::uint32_t count = 0;
   Columns3<kCapacity> origin, direction, throughput;
-  float pdf[kCapacity];  // of the direction, by the BSDF
-  std::uint32_t slot[kCapacity], depth[kCapacity];
-};
-/// What the paths met, and in which order they are shaded.
-struct Hits {
-  Primitive primitive[kCapacity];
-  std::uint32_t order[kCapacity];
-};
-struct ShadowRays {
-  std::uint32_t count = 0;
-  Columns3<kCapacity> origin, direction, radiance;
-  float distance[kCapacity];
   std::uint32_t slot[kCapacity];
-};
-/// What stays with a path of a block from its camera ray on: where its random numbers come from, and what it has found.
-struct Slots {
-  std::uint32_t seed[kSlots], sample[kSlots];
-  Columns3<kSlots> radiance;
-};
-/// Vertices of a batch beside the library's columns.
-struct Vertices {
-  std::uint32_t path[kBatch];
-  const Material* material[kBatch];
-  Frame frame[kBatch];
-  Vec3 position[kBatch], normal[kBatch], color[kBatch];
-  LightSample light[kBatch];
-  Columns3<kBatch> light_u;
-  float keep[kBatch];  // the random number of Russian roulette
-};
-/// Bytes of all queues for one path under way, and of its slot.
-constexpr std::size_t kBytesPerPath =
-    (2 * sizeof(Paths) + sizeof(Hits) + sizeof(ShadowRays)) / kCapacity + sizeof(Slots) / kSlots;
 
-/// What is measured: processor seconds of the stages, and counts. Shaded vertices are those of the library.
-struct Figure {
-  enum { camera, intersect, bin, gather, lights, library, scatter, shadow, accumulate, paths, vertices, shaded, rays };
+  /// Answers the ray's number.
+  std::uint32_t add(Vec3 from, Vec3 towards, Vec3 share, std::uint32_t of_slot) {
+    origin.set(count, from);
+    direction.set(count, towards);
+    throughput.set(count, share);
+    slot[count] = of_slot;
+    return count++;
+  }
 };
-constexpr const char* kFigures[] = {"camera", "intersect",  "bin",   "gather",   "lights", "library", "scatter",
-                                    "shadow", "accumulate", "paths", "vertices", "shaded", "rays"};
-using Statistics = std::array<double, std::size(kFigures)>;
+struct Paths : Rays {
+  float pdf[kCapacity];  // of the direction, by the BSDF
+  std::uint32_t depth[kCapacity];
+};
+/// Their throughput is the light that is there where nothing is in between.
+struct ShadowRays : Rays {
+  float distance[kCapacity];
+};
+/// The paths that met one kind of surface.
+struct Bin {
+  std::uint32_t count, path[kCapacity];
+};
 
 struct Worker {
   std::unique_ptr<Paths> paths = std::make_unique<Paths>(), next = std::make_unique<Paths>();
-  Hits hits;
+  Primitive hits[kCapacity];  // what the paths met
+  Bin bins[kKinds];
   ShadowRays shadows;
-  Slots slots;
   Batch batch;
-  Vertices vertices;
-  Statistics statistics{};
+  // What stays with a path of a block from its camera ray on: where its random numbers come from, and what it has
+  // found.
+  std::uint32_t seed[kSlots], sample[kSlots];
+  Columns3<kSlots> radiance;
+  Statistics statistics;
 
   /// Adds the thread's processor time since the last call to a stage: what else the machine does counts little. Clocks
   /// are read a few times for hundreds of items.
-  void lap(int stage) {
+  void lap(const char* stage) {
     double before = clock;
     clock = seconds();
     statistics[stage] += clock - before;
@@ -84,29 +66,12 @@ struct Worker {
   }
   double clock;
 };
+/// Of all queues for one path under way, and of its slot.
+constexpr std::size_t kBytesPerPath =
+    (2 * sizeof(Paths) + sizeof(Worker::hits) + sizeof(Worker::bins) + sizeof(ShadowRays)) / kCapacity +
+    (sizeof(Worker::seed) + sizeof(Worker::sample) + sizeof(Worker::radiance)) / kSlots;
 
-/// A frame, or a part of one.
-struct Task {
-  Sampling sampling;
-  bool mis = true;
-  std::uint32_t seed = 0;
-  int width = 960, height = 540;  // of the whole frame
-  Window crop{0, 0, 960, 540};
-  std::uint32_t first_sample = 0, last_sample = 64;
-  int threads = 0;         // 0: as many as there are
-  double time_limit = 0.;  // in seconds, 0: none
-};
-/// Samples [first, last) of a window's pixels.
-struct Block {
-  Window window;
-  std::uint32_t first, last;
-
-  std::uint32_t paths() const { return window.width() * window.height() * (last - first); }
-};
-
-/// Radiance of all paths of a block, into the slots: sample by sample, each row by row.
-void trace(const Scene& scene, const Task& task, const Block& block, Worker& worker);
-/// Shades paths [first, last) of the order of hits, which are of one kind.
-void shade(const Scene& scene, const Task& task, Kind kind, std::uint32_t first, std::uint32_t last, Worker& worker);
+/// Shades a batch of the bin of a kind, from number `first` on.
+void shade(const Scene& scene, const Task& task, Kind kind, std::uint32_t first, Worker& worker);
 
 }  // namespace wavefront

@@ -1,4 +1,4 @@
-// What is rendered: triangles and spheres, materials, textures, the sky.
+// What is rendered, and what rays ask of it: where they meet something, and what light is there.
 #pragma once
 
 #include <cstdint>
@@ -21,6 +21,9 @@ struct Texture {
   Vec3 look_up(Vec2 uv) const;  // bilinear
   Vec3 nearest(Vec2 uv) const;  // for angles, between which one must not interpolate
 };
+/// Reads .exr (linear) or .png; 8-bit values are made linear if they are `colors`, else divided by 255. Throws
+/// std::runtime_error with one line where the file is of no use, as read_obj does.
+Texture read_texture(const std::string& file, bool colors);
 
 /// What one call of the library can shade together. Paths are binned by it.
 enum class Kind {
@@ -54,7 +57,7 @@ struct Triangle {
   int material;
 
   Vec3 edge(int i) const { return corners[i].position - corners[0].position; }
-  Vec3 area() const { return 0.5f * edge(1).cross(edge(2)); }  // along the normal
+  Vec3 cross() const { return edge(1).cross(edge(2)); }  // along the normal, twice the area long
 };
 struct Sphere {
   Vec3 center;
@@ -65,17 +68,10 @@ struct Sphere {
 using Primitive = std::uint32_t;
 constexpr Primitive kNothing = ~0u;
 
-/// Chooses among numbered things by their weights.
-class Choice {
- public:
-  Choice() = default;
-  explicit Choice(const std::vector<double>& weights);
-  /// u in [0, 1) becomes its place within what is chosen, so that strata stay whole.
-  std::size_t choose(float& u) const;
-  float chance(std::size_t i) const { return sums_[i] - (i > 0 ? sums_[i - 1] : 0.f); }
-
- private:
-  std::vector<float> sums_;
+/// Weights of numbered things, one of which can be chosen by them.
+struct Weights {
+  double total = 0.;
+  std::vector<float> sums;  // up to each, over the total
 };
 
 /// Light from far away: an octahedral map of all directions, which needs no trigonometry where it is looked up or
@@ -83,8 +79,8 @@ class Choice {
 struct Environment {
   int size = 0;
   std::vector<Vec3> texels;
-  Choice rows;
-  std::vector<Choice> columns;
+  Weights rows;
+  std::vector<Weights> columns;
 };
 Environment make_environment(int size, const std::function<Vec3(Vec3 direction)>& radiance);
 Environment environment_of_latlong(const Texture& map);
@@ -102,21 +98,56 @@ struct Scene {
   Environment environment;
   Camera camera;
 
-  // By list_lights: the primitives that emit, chosen by their light, and the sum of that.
+  // By list_lights: the primitives that emit, and how much.
   std::vector<Primitive> lights;
-  Choice choice;
-  float light = 0.f;
+  Weights light;
   // By build_tree: what rays meet, and how far off a surface they start.
   std::shared_ptr<RTCSceneTy> tree;
   float epsilon = 0.f;
 
+  /// What a function answers for a triangle or a sphere.
+  template <class Function>
+  auto of_shape(Primitive p, Function function) const {
+    return p < triangles.size() ? function(triangles[p]) : function(spheres[p - triangles.size()]);
+  }
   const Material& material_of(Primitive p) const {
-    return materials[p < triangles.size() ? triangles[p].material : spheres[p - triangles.size()].material];
+    return materials[of_shape(p, [](const auto& shape) { return shape.material; })];
   }
 };
-
 Scene default_scene();
-/// Throws std::runtime_error with one line where the file is of no use.
 Scene read_obj(const std::string& file);
+
+// Rays. Embree says which primitive one meets; where, is computed from the ray and the primitive alone, so that of
+// Embree's arithmetic, which differs between its instruction sets, nothing but the choice is kept.
+
+/// `configuration` is Embree's.
+void build_tree(Scene& scene, const std::string& configuration);
+Primitive intersect(const Scene& scene, Vec3 origin, Vec3 direction);
+bool occluded(const Scene& scene, Vec3 origin, Vec3 direction, float distance);
+
+struct Surface {
+  Vec3 position, normal;         // the geometric one, to the outside
+  Vec3 shading_normal, tangent;  // tangent: along u, of any length
+  Vec2 uv;
+};
+Surface surface_at(const Scene& scene, Primitive primitive, Vec3 origin, Vec3 direction);
+
+// Light, for next event estimation: the sky, triangles and spheres; sampled, and the density of that.
+
+struct LightSample {
+  Vec3 wi{0.f};
+  float distance = 0.f;  // infinite for the sky
+  Vec3 radiance{0.f};
+  float pdf = 0.f;  // over solid angle; 0: no light
+};
+void list_lights(Scene& scene);
+/// `u` chooses the point, `disk` is the point of the unit disk that it maps to, `select` chooses the light.
+LightSample sample_light(const Scene& scene, Vec3 from, Vec2 u, Vec2 disk, float select);
+/// Of a ray that met a primitive that emits, or nothing: what it finds, and the density that sample_light has for it.
+LightSample light_met(const Scene& scene, Primitive primitive, Vec3 from, Vec3 direction);
+/// Veach's power heuristic. Densities are at most 2^60, so squares are finite.
+inline float mis_weight(float pdf, float other) {
+  return pdf * pdf / (pdf * pdf + other * other);
+}
 
 }  // namespace wavefront

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include <ImathVec.h>
 #include <boost/random/sobol.hpp>
 
 namespace wavefront {
@@ -51,19 +52,16 @@ inline const struct SobolPoints {
   }
 } kSobolPoints;
 
-struct Random4 {
-  float x[4];  // in [0, 1)
-};
-/// Set number `set` of a sample, whose number comes with its bits reversed.
-inline Random4 random4(std::uint32_t reversed_sample, std::uint32_t seed, std::uint32_t set) {
+/// Set number `set` of a sample, in [0, 1). The number of the sample comes with its bits reversed.
+inline Imath::V4f random4(std::uint32_t reversed_sample, std::uint32_t seed, std::uint32_t set) {
   std::uint32_t key = mixed(seed ^ set * 0x9e3779b9u);
   // The order of the points is scrambled as the points are, so that any power of two of them stays a net.
   std::uint32_t index = scrambled(reversed_sample, key);
   const std::uint32_t *high = kSobolPoints.high[index >> 24], *low = kSobolPoints.low[index >> 16 & 255];
-  Random4 result;
-  for (std::uint32_t d = 0; d < 4; ++d) {
+  Imath::V4f result;
+  for (int d = 0; d < 4; ++d) {
     std::uint32_t bits = reversed_bits(scrambled(high[d] ^ low[d], key * (2 * d + 3) ^ d * 0x85ebca6bu));
-    result.x[d] = static_cast<float>(static_cast<std::int32_t>(bits >> 8)) * 0x1p-24f;
+    result[d] = static_cast<float>(static_cast<std::int32_t>(bits >> 8)) * 0x1p-24f;
   }
   return result;
 }

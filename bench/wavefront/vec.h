@@ -12,6 +12,15 @@ namespace wavefront {
 using Vec2 = Imath::V2f;
 using Vec3 = Imath::V3f;
 constexpr float kPi = 3.14159265f;
+constexpr double kTurn = 6.283185307179586;
+
+/// A multiple of a power of two: the last bits of sines and the like differ between machines.
+inline float rounded(double a, double unit = 0x1p-16) {
+  return static_cast<float>(std::floor(a / unit + 0.5) * unit);
+}
+inline Vec3 rounded(const Imath::V3d& a) {
+  return {rounded(a.x), rounded(a.y), rounded(a.z)};
+}
 
 inline Vec3 normalize(Vec3 a) {
   return (1.f / a.length()) * a;

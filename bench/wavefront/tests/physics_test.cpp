@@ -1,14 +1,12 @@
 // Whether the renderer is right: against quadrature, and against itself by other ways of sampling.
 #include <gtest/gtest.h>
 
-#include "intersect.h"
 #include "render.h"
 
 namespace {
 
 using namespace wavefront;
 
-const std::atomic<bool> kGoOn{false};
 constexpr int kSize = 64;
 
 /// A sky of `radiance` alone.
@@ -52,13 +50,13 @@ Material white_metal(float alpha_x, float alpha_y) {
 
 Task task_of(int samples) {
   Task task;
-  task.width = task.height = kSize;
-  task.crop = {0, 0, kSize, kSize};
-  task.last_sample = static_cast<std::uint32_t>(samples);
+  task.size = {kSize, kSize};
+  task.crop = {{0, 0}, {kSize, kSize}};
+  task.last_sample = samples;
   return task;
 }
 std::vector<Vec3> picture(const Scene& scene, const Task& task) {
-  return render(scene, task, kGoOn, [](double) {}).pixels;
+  return render(scene, task, [](double) { return true; }).pixels;
 }
 
 /// Mean of the red channel, and the standard error of that, from the pixels: they have independent random numbers.
@@ -305,7 +303,7 @@ TEST(Queues, SamplesAndCropsDoNotChangePixels) {
   Scene scene = meeting();
   Task task = task_of(8);
   auto whole = picture(scene, task);
-  task.crop = {13, 7, 50, 41};
+  task.crop = {{13, 7}, {50, 41}};
   auto part = picture(scene, task);
   for (int y = 7; y < 41; ++y)
     for (int x = 13; x < 50; ++x) {
