@@ -33,7 +33,7 @@ This script installs Debian and Ubuntu packages only. Please install, by your sy
   CLI11                           https://github.com/CLIUtils/CLI11
   nlohmann/json                   https://github.com/nlohmann/json
   Python 3.10 with matplotlib, pandas and Jinja2 (for the report)
-For the renderer of bench/wavefront: Embree 3.12 to 4, oneTBB, OpenEXR 3, libpng, tinyobjloader 2, Boost.Random, nlohmann/json, and for its
+For the renderer of bench/wavefront: Embree 3.12 to 4, oneTBB, OpenEXR 3, libpng, tinyobjloader 2, Boost.Random, and for its
 tests OpenImageIO's oiiotool
 END
   exit 2

@@ -118,9 +118,8 @@ Scene default_scene() {
   panel.emission = {3.2f, 3.4f, 3.7f};
   add_rectangle(scene, {3.2f, 4.8f, 6.f}, {4.f, 0.9f, -4.8f}, {-1.8f, 3.3f, 0.9f}, panel);
 
-  scene.textures.push_back(engine_turned(1024, 11));
   Material turned = metal(kSteel, 0.12f, 0.34f);
-  turned.kind = Kind::brushed, turned.angle_map = 0;
+  turned.kind = Kind::brushed, turned.angle_map = std::make_shared<Texture>(engine_turned(1024, 11));
   add_disc(scene, 5.2, turned, metal(kGold, 0.12f, 0.12f));
 
   // Arcs of spheres: roughness grows from left to right, anisotropy from the front arc to the one behind.

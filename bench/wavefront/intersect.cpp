@@ -4,7 +4,6 @@
 #include <embree3/rtcore.h>
 #endif
 
-#include <limits>
 #include <numeric>
 #include <stdexcept>
 
@@ -100,8 +99,7 @@ void build_tree(Scene& scene, const std::string& configuration) {
 }
 
 Primitive intersect(const Scene& scene, Vec3 origin, Vec3 direction) {
-  RTCRayHit hit{};
-  hit.ray = ray_of(origin, direction, std::numeric_limits<float>::infinity());
+  RTCRayHit hit{ray_of(origin, direction, kInfinity), {}};
   hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(scene.tree.get(), &hit);
   if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return kNothing;

@@ -1,4 +1,3 @@
-#include <limits>
 #include <numeric>
 
 #include "scene.h"
@@ -50,7 +49,7 @@ LightSample sky(const Scene& scene, std::size_t x, std::size_t y, Vec3 wi) {
   const Environment& e = scene.environment;
   float texel = chance(e.columns[y], x) * chance(e.rows, y), size = 2.f / static_cast<float>(e.size);
   float angle = size * size * sum(wi) * sum(wi) * sum(wi);
-  return {wi, std::numeric_limits<float>::infinity(), e.texels[y * e.size + x], chance_of_sky(scene) * texel / angle};
+  return {wi, kInfinity, e.texels[y * e.size + x], chance_of_sky(scene) * texel / angle};
 }
 
 // Triangles are sampled by their area, spheres by the solid angle of the cone that they fill.
@@ -82,8 +81,7 @@ float one_minus_cos(const Sphere& sphere, Vec3 from) {
 }
 float angle_over_area(const Sphere& sphere, Vec3 from, Vec3) {
   float cone = one_minus_cos(sphere, from);
-  return cone < 1.f ? 2.f * kPi * cone / area(sphere)
-                    : std::numeric_limits<float>::infinity();  // from within: no light
+  return cone < 1.f ? 2.f * kPi * cone / area(sphere) : kInfinity;  // none from within
 }
 LightSample sample(const Sphere& sphere, Vec3 from, Vec2, Vec2 disk) {
   Vec3 way = sphere.center - from;
@@ -161,8 +159,7 @@ LightSample sample_light(const Scene& scene, Vec3 from, Vec2 u, Vec2 disk, float
 LightSample light_met(const Scene& scene, Primitive primitive, Vec3 from, Vec3 d) {
   if (primitive != kNothing) {
     Vec3 position = surface_at(scene, primitive, from, d).position;
-    return {d, (position - from).length(), scene.material_of(primitive).emission,
-            light_pdf(scene, primitive, from, position)};
+    return {d, 0.f, scene.material_of(primitive).emission, light_pdf(scene, primitive, from, position)};
   }
   const Environment& e = scene.environment;
   if (e.size == 0) return {};

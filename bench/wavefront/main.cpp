@@ -12,7 +12,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "queues.h"
+#include "render.h"
 #include "sobol.h"
 
 namespace {
@@ -47,16 +47,13 @@ Options parse_options(int argc, char** argv) {
 
   CLI::App app("Renders a scene with the shading step of vndf.", "vndf_wavefront");
   auto add = [&](const char* name, auto& to, const char* what) { return app.add_option(name, to, what); };
-  auto add_list = [&](const char* name, auto& to, char separator, int count, const char* what) {
-    return add(name, to, what)->delimiter(separator)->expected(count);
-  };
   add("--scene", options.scene, "an OBJ file; without, the scene made by code");
   add("--environment", options.environment, "light from far away: a latitude-longitude map in EXR, y up");
-  add_list("--camera", options.camera, ',', 7, "from, at and width in degrees: x,y,z,x,y,z,f");
+  add("--camera", options.camera, "from, at and width in degrees: x,y,z,x,y,z,f")->delimiter(',')->expected(7);
   add("--spp", spp, "samples per pixel (64)")->check(counts);
-  add_list("--size", size, 'x', 2, "width x height (960x540)")->check(lengths);
-  add_list("--crop", crop, ',', 4, "x0,y0,x1,y1: this part of the frame alone")->check(lengths);
-  add_list("--samples", samples, ':', 2, "a:b: samples a to b - 1 of each pixel, in place of --spp")->check(counts);
+  add("--size", size, "width x height (960x540)")->delimiter('x')->expected(2)->check(lengths);
+  add("--crop", crop, "x0,y0,x1,y1: this part of the frame")->delimiter(',')->expected(4)->check(lengths);
+  add("--samples", samples, "a:b: samples a to b - 1, in place of --spp")->delimiter(':')->expected(2)->check(counts);
   add("--sampler", task.sampling.sampler, "vndf, bounded (plain GGX) or ndf (metals and coats)")
       ->transform(CLI::CheckedTransformer(samplers));
   add("--warp", task.sampling.warp, "polar, concentric or spherical_cap")->transform(CLI::CheckedTransformer(warps));
@@ -134,7 +131,6 @@ void run(const Options& options) {
   write_exr(options.out, options.task, picture.pixels);
   if (!options.png.empty()) write_png(options.png, options.task, picture.pixels);
   if (!options.statistics.empty()) {
-    picture.statistics["bytes_per_path"] = kBytesPerPath;
     std::ofstream out(options.statistics);
     if (!(out << nlohmann::json(picture.statistics)))
       throw std::runtime_error(options.statistics + ": cannot be written");
@@ -146,7 +142,11 @@ void run(const Options& options) {
 
 }  // namespace
 
-int main(int argc, char** argv) try { run(parse_options(argc, argv)); } catch (const std::exception& error) {
-  std::fprintf(stderr, "vndf_wavefront: %s\n", error.what());
-  return 2;
+int main(int argc, char** argv) {
+  try {
+    run(parse_options(argc, argv));
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "vndf_wavefront: %s\n", error.what());
+    return 2;
+  }
 }

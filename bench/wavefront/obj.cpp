@@ -19,9 +19,9 @@ float absorption(float r) {
   return 2.f * std::sqrt(r / (1.f - r));
 }
 
-/// `texture` answers the number of the one that a file has.
-template <class Texture>
-Material material_of(tinyobj::material_t given, Texture texture) {
+/// `texture` answers what is in a file.
+template <class TextureOf>
+Material material_of(tinyobj::material_t given, TextureOf texture) {
   auto& own = given.unknown_parameter;
   auto turns = [&](const char* key) { return 2.f * kPi * std::strtof(own[key].c_str(), nullptr); };
   Material m;
@@ -41,7 +41,7 @@ Material material_of(tinyobj::material_t given, Texture texture) {
   bool metal = given.metallic >= 0.5f, glass = !metal && (largest(filter) > 0.f || given.dissolve < 0.5f);
   m.eta = glass && given.ior > 0.f ? given.ior : given.ior > 1.001f ? given.ior : 1.5f;
   if (glass) m.color = largest(filter) > 0.f ? filter : Vec3(1.f);
-  bool leans = m.theta_x != 0.f || m.theta_y != 0.f, turned = m.theta_z != 0.f || m.angle_map >= 0;
+  bool leans = m.theta_x != 0.f || m.theta_y != 0.f, turned = m.theta_z != 0.f || m.angle_map;
   Kind of_metal = leans ? Kind::leaning : turned ? Kind::brushed : Kind::conductor;
   Kind of_body = given.roughness > 0.f ? Kind::plastic : Kind::diffuse;
   m.kind = metal ? of_metal : glass ? Kind::dielectric : of_body;
@@ -57,12 +57,12 @@ Scene read_obj(const std::string& file) {
   if (reader.Warning().find("not found") != std::string::npos) fail("a material, or a file of them, is not found");
   const auto& attributes = reader.GetAttrib();
   Scene scene;
-  std::map<std::string, int> numbers;  // of textures: each is read once
+  std::map<std::string, std::shared_ptr<const Texture>> textures;
   auto texture = [&](const std::string& name, bool colors) {
-    if (name.empty()) return -1;
-    auto [number, is_new] = numbers.try_emplace(name, static_cast<int>(numbers.size()));
-    if (is_new) scene.textures.push_back(read_texture(std::filesystem::path(file).parent_path() / name, colors));
-    return number->second;
+    auto& read = textures[name];
+    auto path = std::filesystem::path(file).parent_path() / name;
+    if (!read && !name.empty()) read = std::make_shared<Texture>(read_texture(path, colors));
+    return read;
   };
   for (const auto& given : reader.GetMaterials()) scene.materials.push_back(material_of(given, texture));
   const auto plain = static_cast<int>(scene.materials.size());

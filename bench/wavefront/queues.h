@@ -46,8 +46,7 @@ struct Worker {
   Bin bins[kKinds];
   ShadowRays shadows;
   Batch batch;
-  // What stays with a path of a block from its camera ray on: where its random numbers come from, and what it has
-  // found.
+  // What stays with a path of a block from its camera ray on: where its random numbers come from, what it has found.
   std::uint32_t seed[kSlots], sample[kSlots];
   Columns3<kSlots> radiance;
   Statistics statistics;
@@ -66,10 +65,6 @@ struct Worker {
   }
   double clock;
 };
-/// Of all queues for one path under way, and of its slot.
-constexpr std::size_t kBytesPerPath =
-    (2 * sizeof(Paths) + sizeof(Worker::hits) + sizeof(Worker::bins) + sizeof(ShadowRays)) / kCapacity +
-    (sizeof(Worker::seed) + sizeof(Worker::sample) + sizeof(Worker::radiance)) / kSlots;
 
 /// Shades a batch of the bin of a kind, from number `first` on.
 void shade(const Scene& scene, const Task& task, Kind kind, std::uint32_t first, Worker& worker);

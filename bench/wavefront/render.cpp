@@ -148,6 +148,10 @@ Picture render(const Scene& scene, const Task& task, const std::function<bool(do
     picture.pixels.push_back(Vec3(Imath::V3d(sum.x, sum.y, sum.z) / std::max(sum.w, 1.)));
   for (const Worker& worker : workers)
     for (const auto& [name, value] : worker.statistics) picture.statistics[name] += value;
+  // Of all queues for one path under way, and of its slot.
+  picture.statistics["bytes_per_path"] =
+      (2 * sizeof(Paths) + sizeof(Worker::hits) + sizeof(Worker::bins) + sizeof(ShadowRays)) / kCapacity +
+      (sizeof(Worker::seed) + sizeof(Worker::sample) + sizeof(Worker::radiance)) / kSlots;
   return picture;
 }
 

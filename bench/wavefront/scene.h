@@ -44,8 +44,8 @@ struct Material {
   float eta = 1.5f;
   float theta_x = 0.f, theta_y = 0.f, theta_z = 0.f;
   Vec3 emission{0.f};
-  // Textures of the scene, or -1. Roughness is a factor to alpha; angles are in turns.
-  int color_map = -1, roughness_map = -1, angle_map = -1, normal_map = -1;
+  // Textures, or none. Roughness is a factor to alpha; angles are in turns.
+  std::shared_ptr<const Texture> color_map = {}, roughness_map = {}, angle_map = {}, normal_map = {};
 };
 
 struct Corner {
@@ -94,7 +94,6 @@ struct Scene {
   std::vector<Triangle> triangles;
   std::vector<Sphere> spheres;
   std::vector<Material> materials;
-  std::vector<Texture> textures;
   Environment environment;
   Camera camera;
 

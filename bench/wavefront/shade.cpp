@@ -25,8 +25,8 @@ void gather(const Scene& scene, const Bin& bin, std::uint32_t first, Worker& w) 
     Vec3 direction = paths.direction.get(p);
     Surface& s = b.surface[i] = surface_at(scene, w.hits[p], paths.origin.get(p), direction);
     const Material& m = *(b.material[i] = &scene.material_of(w.hits[p]));
-    auto mapped = [&](int map, Vec3 without) { return map >= 0 ? scene.textures[map].look_up(s.uv) : without; };
-    if (m.normal_map >= 0) {  // the normal of the tangents' frame, as a colour
+    auto mapped = [&](const auto& map, Vec3 without) { return map ? map->look_up(s.uv) : without; };
+    if (m.normal_map) {  // the normal of the tangents' frame, as a colour
       Vec3 n = 2.f * mapped(m.normal_map, {}) - Vec3(1.f);
       if (n.dot(n) > 0.01f) s.shading_normal = normalize(frame_of(s.shading_normal, s.tangent).to_world(n));
     }
@@ -35,7 +35,7 @@ void gather(const Scene& scene, const Bin& bin, std::uint32_t first, Worker& w) 
     b.frame[i] = frame_of(towards(s.shading_normal, -direction, side), s.tangent);
     b.wo.set(i, b.frame[i].to_local(-direction));
     b.alpha_x[i] = std::max(1e-4f, m.alpha_x * rough), b.alpha_y[i] = std::max(1e-4f, m.alpha_y * rough);
-    float turns = m.angle_map >= 0 ? scene.textures[m.angle_map].nearest(s.uv).x : 0.f;
+    float turns = m.angle_map ? m.angle_map->nearest(s.uv).x : 0.f;
     b.theta_x[i] = m.theta_x, b.theta_y[i] = m.theta_y, b.theta_z[i] = m.theta_z + 2.f * kPi * turns;
     b.eta[i] = m.eta;
     Imath::V4f r = random4(w.sample[slot], w.seed[slot], 2 * paths.depth[p] + 1);

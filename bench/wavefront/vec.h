@@ -6,12 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace wavefront {
 
 using Vec2 = Imath::V2f;
 using Vec3 = Imath::V3f;
-constexpr float kPi = 3.14159265f;
+constexpr float kPi = 3.14159265f, kInfinity = std::numeric_limits<float>::infinity();
 constexpr double kTurn = 6.283185307179586;
 
 /// A multiple of a power of two: the last bits of sines and the like differ between machines.
