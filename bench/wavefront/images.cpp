@@ -1,6 +1,5 @@
 // Textures, and files of pictures: EXR and PNG.
 #include <filesystem>
-#include <stdexcept>
 
 #include <ImathFun.h>
 #include <ImfChannelList.h>
@@ -14,10 +13,6 @@
 
 namespace wavefront {
 namespace {
-
-[[noreturn]] void fail(const std::string& file, const std::string& why) {
-  throw std::runtime_error(file + ": " + why);
-}
 
 /// Of Vec3 pixels, whose first has the coordinates of the window's corner.
 Imf::FrameBuffer frame_buffer(const Vec3* pixels, const Imath::Box2i& window) {

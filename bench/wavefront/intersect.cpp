@@ -5,7 +5,6 @@
 #endif
 
 #include <numeric>
-#include <stdexcept>
 
 #include <tbb/task_arena.h>
 
@@ -57,17 +56,14 @@ Surface hit_at(const Sphere& sphere, Vec3 origin, Vec3 direction) {
   float half = std::sqrt(std::max(0.f, sphere.radius * sphere.radius - off.dot(off)));
   float inside = way.dot(way) - sphere.radius * sphere.radius;
   Vec3 normal = normalize(off + (inside < 0.f || along - half < 0.f ? half : -half) * direction);
-  // Without an arc function, uv is the place on the octahedron.
-  float inv = 1.f / (std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z));
-  Vec2 uv{0.5f + 0.5f * normal.x * inv, 0.5f + 0.5f * normal.y * inv};
-  return {sphere.center + sphere.radius * normal, normal, normal, {normal.z, 0.f, -normal.x}, uv};
+  return {sphere.center + sphere.radius * normal, normal, normal, {normal.z, 0.f, -normal.x}, Vec2(0.f)};
 }
 
 }  // namespace
 
 void build_tree(Scene& scene, const std::string& configuration) {
   std::shared_ptr<RTCDeviceTy> device(rtcNewDevice(configuration.c_str()), rtcReleaseDevice);
-  if (!device) throw std::runtime_error("Embree does not accept the configuration " + configuration);
+  if (!device) fail(configuration, "Embree does not accept this configuration");
   scene.tree.reset(rtcNewScene(device.get()), [device](RTCScene tree) { rtcReleaseScene(tree); });
   rtcSetSceneFlags(scene.tree.get(), RTC_SCENE_FLAG_ROBUST);
   rtcSetSceneBuildQuality(scene.tree.get(), RTC_BUILD_QUALITY_HIGH);

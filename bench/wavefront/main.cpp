@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <stdexcept>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -38,29 +37,29 @@ Options parse_options(int argc, char** argv) {
   Task& task = options.task;
   int spp = 64;
   std::vector<int> size{task.size.x, task.size.y}, crop, samples;
-  using vndf::Warp;
+  using CLI::Range, vndf::Warp;
   const std::map<std::string, Sampler> samplers{
       {"vndf", Sampler::vndf}, {"bounded", Sampler::bounded}, {"ndf", Sampler::ndf}};
   const std::map<std::string, Warp> warps{
       {"polar", Warp::polar}, {"concentric", Warp::concentric}, {"spherical_cap", Warp::spherical_cap}};
-  const CLI::Range lengths(0, 65536), counts(0, static_cast<int>(kMostSamples));
+  const int most = static_cast<int>(kMostSamples);
 
   CLI::App app("Renders a scene with the shading step of vndf.", "vndf_wavefront");
   auto add = [&](const char* name, auto& to, const char* what) { return app.add_option(name, to, what); };
   add("--scene", options.scene, "an OBJ file; without, the scene made by code");
   add("--environment", options.environment, "light from far away: a latitude-longitude map in EXR, y up");
   add("--camera", options.camera, "from, at and width in degrees: x,y,z,x,y,z,f")->delimiter(',')->expected(7);
-  add("--spp", spp, "samples per pixel (64)")->check(counts);
-  add("--size", size, "width x height (960x540)")->delimiter('x')->expected(2)->check(lengths);
-  add("--crop", crop, "x0,y0,x1,y1: this part of the frame")->delimiter(',')->expected(4)->check(lengths);
-  add("--samples", samples, "a:b: samples a to b - 1, in place of --spp")->delimiter(':')->expected(2)->check(counts);
+  add("--spp", spp, "samples per pixel (64)")->check(Range(1, most));
+  add("--size", size, "width x height (960x540)")->delimiter('x')->expected(2)->check(Range(1, 65536));
+  add("--crop", crop, "x0,y0,x1,y1: this part of the frame")->delimiter(',')->expected(4)->check(Range(0, 65536));
+  add("--samples", samples, "a:b: samples a to b - 1, not --spp")->delimiter(':')->expected(2)->check(Range(0, most));
   add("--sampler", task.sampling.sampler, "vndf, bounded (plain GGX) or ndf (metals and coats)")
       ->transform(CLI::CheckedTransformer(samplers));
   add("--warp", task.sampling.warp, "polar, concentric or spherical_cap")->transform(CLI::CheckedTransformer(warps));
   add("--seed", task.seed, "of the random numbers (0)");
   add("--isa", options.isa, "the library's instruction set");
   add("--embree", options.embree, "Embree's own configuration, as isa=sse4.2");
-  add("--threads", task.threads, "0: as many as there are")->check(CLI::Range(0, 1024));
+  add("--threads", task.threads, "0: as many as there are")->check(Range(0, 1024));
   add("--time-limit", options.time_limit, "in seconds; what there is then is written");
   add("--out", options.out, "the picture, EXR (wavefront.exr)");
   add("--png", options.png, "the picture, tone-mapped");
@@ -98,8 +97,7 @@ Scene scene_of(const Options& options) {
   if (const auto& c = options.camera; !c.empty()) {
     scene.camera = {{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, c[6]};
     float distance = (scene.camera.at - scene.camera.from).length();
-    if (!(distance > 0.f && distance < 1e18f && c[6] > 0.f && c[6] < 179.f))
-      throw std::runtime_error("--camera: looks nowhere");
+    if (!(distance > 0.f && distance < 1e18f && c[6] > 0.f && c[6] < 179.f)) fail("--camera", "looks nowhere");
   }
   list_lights(scene);
   build_tree(scene, options.embree);
@@ -132,8 +130,7 @@ void run(const Options& options) {
   if (!options.png.empty()) write_png(options.png, options.task, picture.pixels);
   if (!options.statistics.empty()) {
     std::ofstream out(options.statistics);
-    if (!(out << nlohmann::json(picture.statistics)))
-      throw std::runtime_error(options.statistics + ": cannot be written");
+    if (!(out << nlohmann::json(picture.statistics))) fail(options.statistics, "cannot be written");
   }
   std::printf("%s%s: %.1f s, %.2f million vertices a second, on %s\n", options.out.c_str(),
               picture.complete ? "" : " (not all samples)", all, 1e-6 * picture.statistics["vertices"] / all,

@@ -3,7 +3,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <map>
-#include <stdexcept>
 
 #include <ImathBox.h>
 #include <tiny_obj_loader.h>
@@ -51,10 +50,10 @@ Material material_of(tinyobj::material_t given, TextureOf texture) {
 }  // namespace
 
 Scene read_obj(const std::string& file) {
-  auto fail = [&](const std::string& why) { throw std::runtime_error(file + ": " + why); };
   tinyobj::ObjReader reader;
-  if (!reader.ParseFromFile(file)) fail("cannot be read as OBJ");
-  if (reader.Warning().find("not found") != std::string::npos) fail("a material, or a file of them, is not found");
+  if (!reader.ParseFromFile(file)) fail(file, "cannot be read as OBJ");
+  if (reader.Warning().find("not found") != std::string::npos)
+    fail(file, "a material, or a file of them, is not found");
   const auto& attributes = reader.GetAttrib();
   Scene scene;
   std::map<std::string, std::shared_ptr<const Texture>> textures;
@@ -70,11 +69,10 @@ Scene read_obj(const std::string& file) {
 
   Imath::Box3f box;
   auto corner = [&](const tinyobj::index_t& i) {
-    if (i.normal_index < 0) fail("a face has no normals");
+    if (i.normal_index < 0) fail(file, "a face has no normals");
     auto at = [&](const std::vector<float>& values, int index, std::size_t size) {
-      std::size_t first = size * static_cast<std::size_t>(index);
-      if (index < 0 || first + size > values.size()) fail("a face has an index out of range");
-      return &values[first];
+      if (index < 0 || index >= static_cast<int>(values.size() / size)) fail(file, "a face has an index out of range");
+      return &values[size * static_cast<std::size_t>(index)];
     };
     const float *p = at(attributes.vertices, i.vertex_index, 3), *n = at(attributes.normals, i.normal_index, 3);
     box.extendBy({p[0], p[1], p[2]});
@@ -87,12 +85,12 @@ Scene read_obj(const std::string& file) {
       int material = shape.mesh.material_ids[t];
       Triangle triangle{{corner(i[0]), corner(i[1]), corner(i[2])}, material < 0 ? plain : material};
       auto is_length = [](Vec3 v) { return v.dot(v) > 1e-36f && v.dot(v) < 1e36f; };
-      if (!is_length(triangle.cross())) fail("triangle " + std::to_string(t + 1) + " has no area, or too much");
+      if (!is_length(triangle.cross())) fail(file, "triangle " + std::to_string(t + 1) + " has no area, or too much");
       for (const Corner& c : triangle.corners)
-        if (!is_length(c.normal)) fail("triangle " + std::to_string(t + 1) + " has a normal of no length");
+        if (!is_length(c.normal)) fail(file, "triangle " + std::to_string(t + 1) + " has a normal of no length");
       scene.triangles.push_back(triangle);
     }
-  if (scene.triangles.empty()) fail("has no faces");
+  if (scene.triangles.empty()) fail(file, "has no faces");
   // All of it in view, from a little above.
   scene.camera.at = box.center();
   scene.camera.from = scene.camera.at + box.size().length() * Vec3(0.4f, 0.4f, 1.2f);

@@ -125,7 +125,7 @@ Picture render(const Scene& scene, const Task& task, const std::function<bool(do
     // No other thread has this tile now. Sample after sample, whatever ran first: the sum is always the same.
     for (std::uint32_t slot = 0; slot < paths; ++slot) {
       Imath::V2i pixel = pixel_of(block, slot) - crop.min;
-      film[pixel.y * width + pixel.x] += Imath::V4d(worker.radiance.get(slot));
+      film[pixel.y * width + pixel.x] += Imath::V4d(worker.radiance.get(slot));  // whose w is 1
     }
     worker.lap("accumulate");
     std::lock_guard<std::mutex> lock(telling);

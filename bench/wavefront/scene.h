@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,11 @@ struct RTCSceneTy;
 
 namespace wavefront {
 
+/// Ends the program with one line.
+[[noreturn]] inline void fail(const std::string& of, const std::string& why) {
+  throw std::runtime_error(of + ": " + why);
+}
+
 /// Rows from the top; wraps around. RGB, or the same number three times.
 struct Texture {
   int width = 0, height = 0;
@@ -21,8 +27,7 @@ struct Texture {
   Vec3 look_up(Vec2 uv) const;  // bilinear
   Vec3 nearest(Vec2 uv) const;  // for angles, between which one must not interpolate
 };
-/// Reads .exr (linear) or .png; 8-bit values are made linear if they are `colors`, else divided by 255. Throws
-/// std::runtime_error with one line where the file is of no use, as read_obj does.
+/// Reads .exr (linear) or .png; 8-bit values are made linear if they are `colors`, else divided by 255.
 Texture read_texture(const std::string& file, bool colors);
 
 /// What one call of the library can shade together. Paths are binned by it.
@@ -127,7 +132,7 @@ bool occluded(const Scene& scene, Vec3 origin, Vec3 direction, float distance);
 struct Surface {
   Vec3 position, normal;         // the geometric one, to the outside
   Vec3 shading_normal, tangent;  // tangent: along u, of any length
-  Vec2 uv;
+  Vec2 uv;                       // of triangles
 };
 Surface surface_at(const Scene& scene, Primitive primitive, Vec3 origin, Vec3 direction);
 
