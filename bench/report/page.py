@@ -7,6 +7,7 @@ from typing import Any
 import jinja2
 import pandas as pd
 
+import tables
 import wavefront_plots
 import words
 from pictures import SAMPLED, colors
@@ -63,5 +64,6 @@ def render(
         input=headline.input.iloc[0],
         count=headline["count"].iloc[0],
         batches=list(plain.groupby(["input", "count", "threads"])),
+        both_states=tables.alone_and_busy(plain),
         listed_peers=headline.operation[headline.kind == "peer"].unique(),
     )

@@ -11,6 +11,8 @@ WORST_EPS = 2 / EPS
 IMPLEMENTATION = ["operation", "warp", "isa"]
 # Suffixes of the operations that take an ellipsoid, with what is given of it.
 ELLIPSOIDS = {"one_shape": "five constants", "turned": "θz per lane", "tilted": "five columns"}
+# The input's name, alone and where all other hardware threads were busy.
+BUSY_INPUT = ("camera", "camera_busy")
 NAME = (
     r"(?P<operation>[^/]+)/(?P<warp>[^/]+)/(?P<isa>[^/]+)/(?P<input>[^/]+)/(?P<count>\d+)"
     r"(?:/real_time)?(?:/threads:(?P<threads>\d+))?$"
@@ -116,6 +118,14 @@ def join(speeds: pd.DataFrame, errors: pd.DataFrame, peers: dict[str, str]) -> p
     results["does"] = results.operation.map(peers).fillna(results.operation)
     results["group"] = results.groupby(["operation", "warp"], sort=False).ngroup()
     return results.sort_values(["kind", "group"], kind="stable")
+
+
+def alone_and_busy(results: pd.DataFrame) -> pd.DataFrame:
+    """What was measured in both states of a core, a line each; empty where only one was."""
+    alone, busy = (results[results.input == name] for name in BUSY_INPUT)
+    same = [*IMPLEMENTATION, "count", "threads"]
+    both = alone.merge(busy[[*same, "msamples", "vs_ispc"]], on=same, suffixes=("", "_busy"))
+    return both.assign(kept=both.msamples_busy / both.msamples)
 
 
 def ellipsoid_costs(speeds: pd.DataFrame) -> pd.DataFrame:
