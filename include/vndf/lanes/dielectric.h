@@ -102,24 +102,12 @@ VNDF_INLINE auto shadowing_of(F side, const Vec3<F>& wi, const Shape& shape, con
   else
     return masking.shadowing(mirrored(side < F(0.f), wi), shape);
 }
-/// G2 / G1(wo), for energy or radiance. `any_crosses`: no lane has side -1 where it is false. The beta function costs
-/// more than all the rest.
+/// G2 / G1(wo), for energy or radiance.
 template <class Masking, class F, class Lobes, class Shadowing>
 VNDF_INLINE F dielectric_weight(F side, bool any_crosses, const SeenView<F>& view, F wi_z, const Index<F>& index,
                                 const Lobes& lobes, const Masking& masking, const Shadowing& shadowing) {
   auto reflects = side > F(0.f);
-  F weight;
-  if constexpr (!Masking::kEven) {
-    weight = masking.weight(view, wi_z, shadowing);
-  } else if (masking.across == AcrossMasking::height_correlated) {
-    weight = masking.weight(view, wi_z, shadowing);
-    if (any_crosses) weight = op::select(reflects, weight, masking.beta_across(view, F(0.f) - wi_z, shadowing));
-  } else {
-    auto q = masking.quotient(view, wi_z, shadowing);
-    auto across = masking.quotient_across(view, F(0.f) - wi_z, shadowing);
-    weight = at_most_one(op::select(reflects, q.numerator, across.numerator) /
-                         op::select(reflects, q.denominator, across.denominator));
-  }
+  F weight = masking.weight_of_side(reflects, any_crosses, view, wi_z, shadowing);
   if (lobes.radiance) weight = op::select(reflects, weight, weight / (index.eta * index.eta));
   return weight;
 }

@@ -3,8 +3,8 @@
 // Smith's functions are rational in v.z and a = |A v|, with A = diag(alpha_x, alpha_y, 1):
 // 1 + Lambda(v) = (a + v.z) / (2 v.z), and (a + v.z) / 2 is the projected area of what v sees.
 //
-// A masking has `shadowing(wi, shape)`, what it needs of the light's direction, and `weight`, which is G2(wo, wi) /
-// G1(wo). Smith's is another where wi is on the other side of the surface: `quotient_across` or `beta_across`.
+// A masking has `shadowing(wi, shape)`, what it needs of the light's direction; `weight`, which is G2(wo, wi) / G1(wo);
+// and `weight_of_side`, the same for dielectrics, where wi may be across the surface.
 #pragma once
 
 #include <vndf/lanes/beta.h>
@@ -104,15 +104,22 @@ struct Smith {
     return at_most_one(q.numerator / q.denominator);
   }
 
-  /// Of all visible normals, unless it is the beta function. `wi_z` is that of wi mirrored to the view's side.
+  /// Of all visible normals. Across the surface, G is that of wi mirrored to the view's side. Where `any_crosses` is
+  /// false every lane reflects; the beta function costs more than all the rest.
   template <class F>
-  VNDF_INLINE Quotient<F> quotient_across(const SeenView<F>& view, F wi_z, F length_i) const {
-    if (across == AcrossMasking::as_reflection) return correlated(view, wi_z, length_i);
-    return {wi_z + wi_z, wi_z + length_i};  // G1(wi)
-  }
-  template <class F>
-  static VNDF_INLINE F beta_across(const SeenView<F>& view, F wi_z, F length_i) {
-    return at_most_one(x_beta(smith_lambda(view.z, view.length), smith_lambda(wi_z, length_i)));
+  VNDF_INLINE F weight_of_side(Mask<F> reflects, bool any_crosses, const SeenView<F>& view, F wi_z, F length_i) const {
+    F mirrored_z = F(0.f) - wi_z;
+    if (across == AcrossMasking::height_correlated) {
+      F above = weight(view, wi_z, length_i);
+      if (!any_crosses) return above;
+      F beta = x_beta(smith_lambda(view.z, view.length), smith_lambda(mirrored_z, length_i));
+      return op::select(reflects, above, at_most_one(beta));
+    }
+    auto above = quotient(view, wi_z, length_i);
+    Quotient<F> g1 = {mirrored_z + mirrored_z, mirrored_z + length_i};
+    auto below = across == AcrossMasking::as_reflection ? correlated(view, mirrored_z, length_i) : g1;
+    return at_most_one(op::select(reflects, above.numerator, below.numerator) /
+                       op::select(reflects, above.denominator, below.denominator));
   }
 
   /// (1 + Lambda(wo)) / (1 + Lambda(wo) + Lambda(wi)), Heitz 2014, eq. 99.
@@ -155,6 +162,11 @@ struct Lunes {
   static VNDF_INLINE F weight(const SeenView<F>& view, F, const Shadowing<F>& light) {
     F larger = op::from_bits(op::max(op::bits(view.area), op::bits(view.z + view.z)));
     return at_most_one((view.area * light.numerator) / (larger * light.denominator));
+  }
+  /// Eq. 7: across the surface it is that of the direction that is mirrored to the view's side.
+  template <class F>
+  static VNDF_INLINE F weight_of_side(Mask<F>, bool, const SeenView<F>& view, F wi_z, const Shadowing<F>& light) {
+    return weight(view, wi_z, light);
   }
 };
 constexpr Lunes kLunes;
