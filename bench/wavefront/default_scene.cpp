@@ -88,6 +88,8 @@ Texture engine_turned(int size, double rings) {
   return t;
 }
 
+}  // namespace
+
 /// Late afternoon: warm about the sun and along the horizon, blue above, dim earth below.
 Environment evening() {
   const Vec3 sun = normalize({-0.60f, 0.36f, -0.58f}), earth(0.16f, 0.13f, 0.11f);
@@ -104,8 +106,6 @@ Environment evening() {
     return d.y >= 0.f ? sky : earth + std::max(0.f, 1.f + 12.f * d.y) * (sky - earth);
   });
 }
-
-}  // namespace
 
 Scene default_scene() {
   Scene scene;

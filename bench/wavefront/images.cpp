@@ -61,6 +61,7 @@ float film_curve(float a) {
 Vec2 place(const Texture& t, Vec2 uv) {
   return {(uv.x - std::floor(uv.x)) * t.width, (1.f - (uv.y - std::floor(uv.y))) * t.height};
 }
+/// The texel of a column and a row, which wrap around.
 const Vec3& texel(const Texture& t, float x, float y) {
   int column = Imath::modp(static_cast<int>(x), t.width), row = Imath::modp(static_cast<int>(y), t.height);
   return t.texels[static_cast<std::size_t>(row) * t.width + column];

@@ -92,8 +92,6 @@ Scene scene_of(const Options& options) {
   Scene scene = options.scene.empty() ? default_scene() : read_obj(options.scene);
   if (!options.environment.empty())
     scene.environment = environment_of_latlong(read_texture(options.environment, false));
-  else if (!options.scene.empty())
-    scene.environment = default_scene().environment;
   if (const auto& c = options.camera; !c.empty()) {
     scene.camera = {{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, c[6]};
     float distance = (scene.camera.at - scene.camera.from).length();

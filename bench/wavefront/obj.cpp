@@ -56,6 +56,7 @@ Scene read_obj(const std::string& file) {
     fail(file, "a material, or a file of them, is not found");
   const auto& attributes = reader.GetAttrib();
   Scene scene;
+  scene.environment = evening();
   std::map<std::string, std::shared_ptr<const Texture>> textures;
   auto texture = [&](const std::string& name, bool colors) {
     auto& read = textures[name];

@@ -118,6 +118,8 @@ struct Scene {
     return materials[of_shape(p, [](const auto& shape) { return shape.material; })];
   }
 };
+/// The sky of the default scene, which an OBJ file gets too.
+Environment evening();
 Scene default_scene();
 Scene read_obj(const std::string& file);
 
@@ -147,7 +149,8 @@ struct LightSample {
 void list_lights(Scene& scene);
 /// `u` chooses the point, `disk` is the point of the unit disk that it maps to, `select` chooses the light.
 LightSample sample_light(const Scene& scene, Vec3 from, Vec2 u, Vec2 disk, float select);
-/// Of a ray that met a primitive that emits, or nothing: what it finds, and the density that sample_light has for it.
+/// Of a ray that met a primitive that emits, or nothing: what it finds, but for the distance, and the density that
+/// sample_light has for it.
 LightSample light_met(const Scene& scene, Primitive primitive, Vec3 from, Vec3 direction);
 /// Veach's power heuristic. Densities are at most 2^60, so squares are finite.
 inline float mis_weight(float pdf, float other) {
