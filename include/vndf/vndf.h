@@ -32,8 +32,8 @@
 // measures it against the papers' plain formulas in quadruple precision, for alpha from 1e-6 to 100 and up to eight
 // decades apart, views off unit length by up to 1e-3, random numbers of any spacing from 2^-149, 0 and 1 included. The
 // bounds below are those of these tests. Searches find 6.2 where 6 is stated, 10.7 where 8 is for normals from caps, 17
-// where 8 is for densities, and 77 where 16 is for leaning ellipsoids; next to the critical angle of a dielectric a ratio
-// says nothing: see tests/README.md. eps is 2^-24.
+// where 8 is for densities, and 77 where 16 is for leaning ellipsoids; next to the critical angle of a dielectric a
+// ratio says nothing: see tests/README.md. eps is 2^-24.
 #pragma once
 
 #include <cstddef>
