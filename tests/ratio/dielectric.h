@@ -76,7 +76,8 @@ struct Dielectric {
     exact::Sample s = exact::sample_dielectric(warp, side > 0, {in[0], in[1], in[2]}, Surface::exact(&in[3]), in[kEta],
                                                in[kU], in[kU + 1]);
     // Where reflection is total by less than rounding, the library may still refract, along the facet.
-    bool passes = side > 0 || s.pdf > 0;
+    Quad eta = in[2] < 0 ? 1 / in[kEta] : in[kEta], total_by = (1 - s.normal.cos * s.normal.cos) - eta * eta;
+    bool passes = side > 0 || s.pdf > 0 || total_by > eta * Quad(0x1p-16);
     bool defined = s.normal.defined && passes && (is_unit(wo) || side > 0);
     bool leaves = defined && height(in[2], side, s.wi.z) > 0;
     return {reference::exact_vector(at_most_one(found[0].value, s.wi), defined),
