@@ -1,0 +1,36 @@
+// What is measured: the library, its peers and a plain copy, as one list.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "inputs.h"
+
+namespace bench {
+
+/// One call on all of a batch.
+using Call = std::function<void(const Batch&)>;
+
+struct Operation {
+  std::string name;  // <operation>/<warp>/<isa>
+  const char* isa;   // to set in the library, or null
+  int columns;       // read and written
+  Call call;
+  bool once = false;  // with camera/4096 alone
+};
+
+/// Those of this processor.
+std::vector<Operation> operations();
+/// Chooses the operation's instruction set. Answers whether the library has it.
+bool set_isa(const Operation& operation);
+
+/// The two, of a library that vndf_compare loads.
+struct Module {
+  std::vector<Operation> (*operations)();
+  bool (*set_isa)(const Operation&);
+};
+
+}  // namespace bench
+
+extern "C" __attribute__((visibility("default"))) const bench::Module vndf_module;
