@@ -15,10 +15,17 @@
 
 #include "command_line.h"
 #include "operations.h"
+#include "peers.h"
+
+// One line per instruction set of the library: VNDF_COPY(isa).
+using CopyFunction = peers::Sample;
+#define VNDF_COPY(isa) CopyFunction copy_plain_##isa, copy_streaming_##isa;
+#include "copies.h"
+#undef VNDF_COPY
 
 namespace {
 
-using bench::Operation;
+using bench::Call, bench::Operation;
 
 struct Data {
   const char* input;
@@ -52,8 +59,35 @@ void measure(benchmark::State& state, const Operation& operation, const bench::B
   state.counters["time_per_sample"] = Counter(samples, Counter::kIsRate | Counter::kInvert);
 }
 
+Call columns(CopyFunction* function) {
+  return [function](const bench::Batch& b) { function(b.count, b.in.data(), b.out.data()); };
+}
+
+/// Peers, the library, and the copy.
+std::vector<Operation> all_operations() {
+  std::vector<Operation> all;
+  auto supported = [](const char* name) {
+    for (const vndf::Isa& isa : vndf::isas())
+      if (isa.supported && std::strcmp(isa.name, name) == 0) return true;
+    return false;
+  };
+  for (const peers::Peer& peer : peers::peers())
+    if (peer.supported)
+      all.push_back(
+          {std::string(peer.name) + "/" + peer.warp + "/" + peer.isa, nullptr, peer.columns, columns(peer.sample)});
+  for (const Operation& operation : bench::operations()) all.push_back(operation);
+#define VNDF_COPY(isa)                                                                   \
+  if (supported(#isa)) {                                                                 \
+    all.push_back({"copy/plain/" #isa, nullptr, 10, columns(copy_plain_##isa)});         \
+    all.push_back({"copy/streaming/" #isa, nullptr, 10, columns(copy_streaming_##isa)}); \
+  }
+#include "copies.h"
+#undef VNDF_COPY
+  return all;
+}
+
 void register_benchmarks() {
-  const std::vector<Operation> all = bench::operations();
+  const std::vector<Operation> all = all_operations();
   for (const Data& data : kData)
     for (const Operation& operation : all) {
       bool aligned_only = operation.name.rfind("copy/streaming", 0) == 0;

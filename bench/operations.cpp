@@ -1,19 +1,11 @@
 #include "operations.h"
 
-#include <cstring>
 #include <utility>
 
 #include <vndf/ellipsoid.h>
 #include <vndf/vndf.h>
 
-#include "peers.h"
 #include "warps.h"
-
-// One line per instruction set of the library: VNDF_COPY(isa).
-using CopyFunction = peers::Sample;
-#define VNDF_COPY(isa) CopyFunction copy_plain_##isa, copy_streaming_##isa;
-#include "copies.h"
-#undef VNDF_COPY
 
 namespace bench {
 namespace {
@@ -171,23 +163,10 @@ Call evaluate_dielectric(const vndf::DielectricOptions& options) {
   };
 }
 
-Call columns(CopyFunction* function) {
-  return [function](const Batch& b) { function(b.count, b.in.data(), b.out.data()); };
-}
-
 }  // namespace
 
 std::vector<Operation> operations() {
   std::vector<Operation> all;
-  auto supported = [](const char* name) {
-    for (const vndf::Isa& isa : vndf::isas())
-      if (isa.supported && std::strcmp(isa.name, name) == 0) return true;
-    return false;
-  };
-  for (const peers::Peer& peer : peers::peers())
-    if (peer.supported)
-      all.push_back(
-          {std::string(peer.name) + "/" + peer.warp + "/" + peer.isa, nullptr, peer.columns, columns(peer.sample)});
   for (const vndf::Isa& isa : vndf::isas()) {
     if (!isa.supported) continue;
     auto add = [&](const std::string& name, int columns, Call call) {
@@ -226,13 +205,6 @@ std::vector<Operation> operations() {
     add_option("evaluate_dielectric_both_sides/none", 10, evaluate_dielectric(vndf::DielectricOptions{}));
     add_option("sample_dielectric_all_outputs/concentric", 20, sample_dielectric_all_outputs());
   }
-#define VNDF_COPY(isa)                                                                   \
-  if (supported(#isa)) {                                                                 \
-    all.push_back({"copy/plain/" #isa, nullptr, 10, columns(copy_plain_##isa)});         \
-    all.push_back({"copy/streaming/" #isa, nullptr, 10, columns(copy_streaming_##isa)}); \
-  }
-#include "copies.h"
-#undef VNDF_COPY
   return all;
 }
 

@@ -1,4 +1,4 @@
-// What is measured: the library, its peers and a plain copy, as one list.
+// What is measured of the library, as one list.
 #pragma once
 
 #include <functional>
@@ -20,7 +20,7 @@ struct Operation {
   bool once = false;  // with camera/4096 alone
 };
 
-/// Those of this processor.
+/// Of all functions, on the instruction sets that this processor has.
 std::vector<Operation> operations();
 /// Chooses the operation's instruction set. Answers whether the library has it.
 bool set_isa(const Operation& operation);
