@@ -1,14 +1,16 @@
-// vndf_compare: two builds of the library side by side. Calls of the one and of the other take turns every few
-// microseconds, so that a neighbour who comes and goes slows both: ratios are then steady to a percent or two where
-// times of programs that run one after the other differ by a quarter.
+// vndf_compare: two builds of the library side by side, by one compiler. Calls of the one and of the other take turns,
+// so that a neighbour who comes and goes slows both: ratios are then steady to a percent or two where times of programs
+// that run one after the other differ by a quarter.
 #include <dlfcn.h>
 
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <regex>
+#include <string>
 #include <vector>
 
 #include "command_line.h"
@@ -19,9 +21,20 @@ namespace {
 using bench::Batch, bench::Operation;
 using Clock = std::chrono::steady_clock;
 
-const bench::Module* load(const std::string& file) {
+[[noreturn]] void fail(const std::string& of, const char* why) {
+  std::fprintf(stderr, "vndf_compare: %s %s\n", of.c_str(), why);
+  std::exit(2);
+}
+
+const bench::Module& load(const std::string& file) {
   void* library = dlopen(std::filesystem::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL);
-  return library ? static_cast<const bench::Module*>(dlsym(library, "vndf_module")) : nullptr;
+  void* module = library ? dlsym(library, "vndf_module") : nullptr;
+  if (!module) fail(file, "is no libvndf_operations.so");
+  return *static_cast<const bench::Module*>(module);
+}
+
+std::regex expression(const std::string& filter) try { return std::regex(filter); } catch (const std::regex_error&) {
+  fail("--filter " + filter, "is no regular expression");
 }
 
 /// Nanoseconds of a call.
@@ -32,7 +45,7 @@ double time_of(const Operation& operation, const Batch& batch, int calls) {
 }
 
 void compare(const std::array<const Operation*, 2>& sides, const Batch& batch, int rounds) {
-  constexpr double kTurn = 20e3;  // nanoseconds
+  constexpr double kTurn = 20e3;  // nanoseconds: long beside the clock's, short beside a neighbour's
   for (const Operation* side : sides) time_of(*side, batch, 1);
   const int calls = std::max(1, static_cast<int>(kTurn / time_of(*sides[0], batch, 1)));
   std::vector<double> ratios;
@@ -63,31 +76,23 @@ int main(int argc, char** argv) {
   app.add_option("before", before, "of the one build")->required()->check(CLI::ExistingFile);
   app.add_option("after", after, "of the other")->required()->check(CLI::ExistingFile);
   app.add_option("--filter", filter, "a regular expression that is found in <operation>/<warp>/<isa>");
-  app.add_option("--count", count, "lanes of a call (4096)")->check(CLI::Range(1, 1 << 24));
-  app.add_option("--rounds", rounds, "turns of each (151)")->check(CLI::Range(1, 100000));
+  bench::add_number(app, "--count", count, "lanes of a call", 1, 1 << 24);
+  bench::add_number(app, "--rounds", rounds, "turns of each", 1, 100000);
   bench::parse(app, argc, argv);
 
-  std::array<const bench::Module*, 2> modules{load(before), load(after)};
-  for (std::size_t side : {0u, 1u})
-    if (!modules[side]) {
-      std::fprintf(stderr, "vndf_compare: %s is no libvndf_operations.so\n", (side == 0 ? before : after).c_str());
-      return 2;
-    }
-  std::regex wanted;
-  try {
-    wanted = filter;
-  } catch (const std::regex_error&) {
-    std::fprintf(stderr, "vndf_compare: --filter %s is no regular expression\n", filter.c_str());
-    return 2;
-  }
+  const std::regex wanted = expression(filter);
+  const std::array<const bench::Module*, 2> modules{&load(before), &load(after)};
   const std::vector<Operation> ones = modules[0]->operations(), others = modules[1]->operations();
   const Batch batch = bench::make_batch("camera", count);
   std::printf("%-56s %5s  %13s  %8s  %8s\n", "", "after", "80 % of turns", "before", "after");
   std::printf("%-56s %5s  %13s  %18s\n", "", "/ bef.", "", "ns a lane, fastest");
+  bool any = false;
   for (const Operation& one : ones)
     for (const Operation& other : others) {
       if (one.name != other.name || !std::regex_search(one.name, wanted)) continue;
       if (!modules[0]->set_isa(one) || !modules[1]->set_isa(other)) continue;
       compare({&one, &other}, batch, rounds);
+      any = true;
     }
+  if (!any) fail("--filter " + filter, "is in no name that both have");
 }
